@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import numbers
 import pathlib
 from typing import Any, Callable, Mapping, Optional, Sequence, Union
 
@@ -58,19 +59,19 @@ class Controller:
     def __init__(self, function: Union[ControllerFunction, Any], interval: float = 0.1, memory: Sequence[float] = ()):
         """
         Args:
-            function: A function of Python, or a compiled one: from ctypes, from numba's `cfunc`, or its address; see
-                overbend_controller.h in get_include().
+            function: A function of Python, or a compiled one: from ctypes (of its address CONTROLLER_TYPE(address)) or from
+                numba's `cfunc`; see overbend_controller.h in get_include().
             interval: It is asked for the multiples of this [s].
             memory: Of a compiled one: the numbers that its last argument points to at the start of a run.
         """
         self.interval = float(interval)
         self._function = function
-        self._address = _address_of(function)
+        self._compiled = _compiled(function)
         self._memory = [float(value) for value in memory]
         self._core: Optional[_core.Controller] = None
-        if self._address is None and not callable(function):
+        if self._compiled is None and not callable(function):
             raise TypeError(f"a controller is a function f(t, seen), found {function!r}")
-        if self._address is None and self._memory:
+        if self._compiled is None and self._memory:
             raise TypeError("memory is for compiled controllers; a function of Python remembers by itself")
         if hasattr(function, "save") != hasattr(function, "restore"):
             raise TypeError("a controller that has one of save() and restore() needs the other, too")
@@ -82,8 +83,8 @@ class Controller:
 
     def _given(self) -> _core.Controller:
         """For one run."""
-        if self._address is not None:
-            self._core = _core.Controller.compiled(self._address, self.interval, self._memory)
+        if self._compiled is not None:
+            self._core = _core.Controller.compiled(self._compiled, self.interval, self._memory)
         else:
             self._core = _core.Controller(self._function, self.interval, getattr(self._function, "save", None),
                                           getattr(self._function, "restore", None))
@@ -113,16 +114,11 @@ def get_include() -> str:
     return str(folder)
 
 
-def _address_of(function: Any) -> Optional[int]:
-    """Of a compiled function; None of one of Python."""
-    if isinstance(function, int) and not isinstance(function, bool):
-        address: Optional[int] = function
-    elif isinstance(function, ctypes._CFuncPtr):  # type: ignore[attr-defined]
-        address = ctypes.cast(function, ctypes.c_void_p).value
-    elif hasattr(function, "address") and hasattr(function, "native_name"):  # numba
-        address = function.address
-    else:
-        return None
-    if not address:
-        raise TypeError("the compiled controller is a null pointer")
-    return address
+def _compiled(function: Any) -> Any:
+    """A compiled function as one of ctypes; None of one of Python."""
+    if isinstance(function, numbers.Number):
+        raise TypeError(f"a controller is a function, found the number {function!r}; an address in memory becomes one by "
+                        "overbend.controllers.CONTROLLER_TYPE(address)")
+    if hasattr(function, "address") and hasattr(function, "native_name"):  # numba
+        return CONTROLLER_TYPE(function.address)
+    return function if isinstance(function, ctypes._CFuncPtr) else None  # type: ignore[attr-defined]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 import numbers
 from typing import Any, Iterable, Mapping, Optional, Union
 
@@ -13,6 +15,8 @@ from .values import Number
 
 #: A time: seconds, or a text with its unit; None where it is left out.
 Time = Union[str, float, int, None]
+#: As in a model file: the largest seed, and how many there may be.
+MAX_SEED, MAX_SEEDS = 9_000_000_000_000_000, 10_000
 Change = tuple[str, str, str]  # key, 'scalar' or 'flow' or 'remove', value
 
 
@@ -63,10 +67,13 @@ def flow(value: Any, key: str = "") -> str:
 
 def seeds_of(seeds: Iterable[Any]) -> list[int]:
     """Seeds of random waves, whole numbers that are not negative."""
-    chosen = list(seeds)
+    chosen = list(itertools.islice(seeds, MAX_SEEDS + 1))
+    if len(chosen) > MAX_SEEDS:
+        raise ModelError(f"seeds: found more than {MAX_SEEDS} of them, expected fewer")
     for seed in chosen:
-        if int(seed) != seed or seed < 0:
-            raise ModelError(f"seeds: found {seed!r}, expected whole numbers from 0")
+        whole = isinstance(seed, numbers.Integral) or (isinstance(seed, numbers.Real) and float(seed).is_integer())
+        if not whole or not 0 <= seed <= MAX_SEED:
+            raise ModelError(f"seeds: found {seed!r}, expected whole numbers from 0 to {MAX_SEED}")
     return [int(seed) for seed in chosen]
 
 
@@ -75,6 +82,6 @@ def seconds(duration: Time) -> Optional[float]:
     if duration is None:
         return None
     value = _core.quantity(duration, "s") if isinstance(duration, str) else float(duration)
-    if not value > 0.0:
+    if not 0.0 < value < math.inf:
         raise ModelError(f"duration: found {duration!r}, expected a time such as '600 s'")
     return value

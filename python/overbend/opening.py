@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import pathlib
 from typing import Any, Union
@@ -12,7 +11,7 @@ from .dynamic_results import DynamicResults
 from .errors import ResultsError
 from .model import Model
 from .operation import OperationResults
-from .results import StaticResults
+from .results import StaticResults, summary_in
 from .runs import ComparisonResults, SeedsResults
 from .studies import StudyResults
 
@@ -25,17 +24,24 @@ def open(folder: Union[str, "os.PathLike[str]"]) -> Any:  # noqa: A001
         folder holds. A study that is not finished gives what there is so far.
 
     Raises:
-        ResultsError: Where it holds none.
+        ResultsError: Where it holds none, or they are damaged.
     """
     path = pathlib.Path(folder)
     path = path.parent if path.name in ("results.h5", "summary.json") else path
+    try:
+        return _opened(path)
+    except (KeyError, TypeError, IndexError, AttributeError) as fault:
+        raise ResultsError(f"the results in '{path}' are damaged: {type(fault).__name__}: {fault}") from fault
+
+
+def _opened(path: pathlib.Path) -> Any:
     if (path / "study.json").is_file():
         return StudyResults(path)
     if (path / "comparison.json").is_file():
         return ComparisonResults(path)
     if not (path / "summary.json").is_file():
         raise ResultsError(f"there are no results in '{path}'")
-    summary = json.loads((path / "summary.json").read_text(encoding="utf-8"))
+    summary = summary_in(path)
     if "seeds" in summary:
         return SeedsResults(path)
     if "dynamic" in summary:

@@ -256,11 +256,15 @@ class StaticResults(Results):
 
 
 def summary_in(folder: Optional[pathlib.Path], file: str = "summary.json") -> dict[str, Any]:
-    """The content of a file of results. Raises ResultsError where there is none."""
+    """The content of a file of results. Raises ResultsError where there is none, or it is damaged."""
+    path = pathlib.Path(folder or ".") / file
     try:
-        return json.loads((pathlib.Path(folder or ".") / file).read_text(encoding="utf-8"))
+        content = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as fault:
-        raise ResultsError(f"there are no results in '{folder}': {fault}") from None
+        raise ResultsError(f"there are no results in '{folder}': '{path}': {fault}") from None
+    if not isinstance(content, dict):
+        raise ResultsError(f"there are no results in '{folder}': '{path}' is damaged: it holds no object")
+    return content
 
 
 def file_in(folder: Optional[pathlib.Path]) -> "_core.ResultFile":

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -57,6 +58,14 @@ void add_seek(CLI::App& program, int& code) {
   command->callback([model, output, &code] { code = run_seek_command(*model, *output); });
 }
 
+/// A number of seconds, of those neither "nan" nor "inf", which CLI11 takes for numbers as well.
+std::string no_seconds(const std::string& text) {
+  double seconds = 0.0;
+  const bool is_number = CLI::detail::lexical_cast(text, seconds);
+  return is_number && std::isfinite(seconds) && seconds >= 0.0 ? ""
+                                                               : "found '" + text + "', expected seconds from 0 on";
+}
+
 /// Options common to dynamic runs; `what` works in threads.
 template <class Arguments>
 void add_run_options(CLI::App* command, Arguments& arguments, const std::string& what,
@@ -67,7 +76,7 @@ void add_run_options(CLI::App* command, Arguments& arguments, const std::string&
   command->add_flag("--restart", arguments.take_up.restart, "Discard an unfinished run and start again")
       ->excludes(resume);
   command->add_option("--checkpoint", arguments.checkpoint_every, "Seconds between checkpoints")
-      ->check(CLI::NonNegativeNumber)
+      ->check(no_seconds, "SECONDS")
       ->capture_default_str();
   command->add_option("--threads", arguments.threads, what + " run in parallel; default: one per core")
       ->check(CLI::Range(1, 4096));
@@ -128,7 +137,7 @@ void add_study(CLI::App& program, int& code) {
   command->add_option("--threads", arguments->threads, "Cases run in parallel; default: one per core")
       ->check(CLI::Range(1, 4096));
   command->add_option("--checkpoint", arguments->checkpoint_every, "Seconds between checkpoints of a dynamic analysis")
-      ->check(CLI::NonNegativeNumber)
+      ->check(no_seconds, "SECONDS")
       ->capture_default_str();
   CLI::Option* dry = command->add_flag("--dry-run", arguments->dry_run,
                                        "List the cases and estimate the time from a few of them; writes nothing");

@@ -1,10 +1,11 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iostream>
 #include <stdexcept>
 
 #include "app/commands.h"
 #include "base/units.h"
-#include "modelfile/field.h"
 #include "modelfile/yaml_reader.h"
 #include "runstore/written_files.h"
 
@@ -38,8 +39,9 @@ std::optional<RunEnd> files_in_the_way(const std::string& model_file, const std:
 std::optional<double> duration_of(const std::string& text) {
   if (text.empty()) return std::nullopt;
   const QuantityReading duration = parse_quantity(text, "s");
-  if (duration.value && *duration.value > 0.0 && *duration.value <= largest_sensible("s")) return *duration.value;
-  throw std::invalid_argument("--duration: found " + duration.found + ", expected a time such as '600 s'");
+  if (duration.value && *duration.value >= kMinDuration && *duration.value <= kMaxDuration) return *duration.value;
+  throw std::invalid_argument(fmt::format("--duration: found {}, expected a time from {} s to {:g} s such as '600 s'",
+                                          duration.found, kMinDuration, kMaxDuration));
 }
 
 }  // namespace overbend

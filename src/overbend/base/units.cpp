@@ -226,6 +226,7 @@ QuantityReading parse_quantity(std::string_view text, const std::string& si_unit
   if (!factor) {
     return {std::nullopt, quoted + " (" + what_it_measures(unit) + ")", wrong_dimension_hint(*number, unit, si_unit)};
   }
+  if (!std::isfinite(*number * *factor)) return {std::nullopt, quoted + ", beyond anything sensible", {}};
   return {*number * *factor, quoted, {}};
 }
 

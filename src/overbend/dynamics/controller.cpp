@@ -19,4 +19,13 @@ MachineCommand CompiledController::command(const MachineReading& seen) {
   }
 }
 
+void CompiledController::restore(const std::vector<double>& saved) {
+  if (saved.empty()) return;
+  if (saved.size() != memory_.size()) {
+    throw std::runtime_error("the compiled controller has a memory of " + std::to_string(memory_.size()) +
+                             " numbers, the saved state has " + std::to_string(saved.size()));
+  }
+  memory_ = saved;
+}
+
 }  // namespace overbend

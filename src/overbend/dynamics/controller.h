@@ -56,7 +56,9 @@ class CompiledController : public Controller {
 
   MachineCommand command(const MachineReading& seen) override;
   std::vector<double> save() const override { return memory_; }
-  void restore(const std::vector<double>& saved) override { memory_ = saved; }
+  /// Throws std::runtime_error where the function would find another number of doubles than it was registered with. An
+  /// empty memory is one that was not saved: its own stays.
+  void restore(const std::vector<double>& saved) override;
 
  private:
   overbend_controller function_;

@@ -245,6 +245,11 @@ struct StaticSettings {
   std::optional<bool> mean_drift;
 };
 
+/// Simulated time of a run that can be meant: the longest is four months [s].
+inline constexpr double kMinDuration = 1e-3, kMaxDuration = 1e7;
+/// Seeds are whole numbers that a double holds exactly.
+inline constexpr std::uint64_t kMaxSeed = 9'000'000'000'000'000;
+
 struct DynamicSettings {
   double duration = 0.0;           ///< [s]
   double build_up = 60.0;          ///< [s]

@@ -18,7 +18,6 @@ void take_range(TensionerDescription& tensioner, const FieldValue& range) {
 }
 
 constexpr double kMostTension = 1e8;    ///< Five times what the largest vessel holds: a wrong unit beyond [N].
-constexpr double kShortestRun = 1e-3;   ///< A run that an engineer can mean [s].
 constexpr double kShortestStep = 1e-6;  ///< A hundredth of the shortest impact on a stiff roller [s].
 
 /// Seeds 1, 2, ... up to the number given.
@@ -134,14 +133,14 @@ std::vector<Field> analysis() {
                  .fallback_text = "chosen by the program",
                  .range = {.low = kShortestElement, .high = 1000.0}};
   };
-  const auto time = [&](const char* key, const Member& member, const char* text, double least) {
+  const auto time = [&](const char* key, const Member& member, const char* text, Range range) {
     return Field{.path = d + key,
                  .member = member,
                  .kind = FieldKind::quantity,
                  .text = text,
                  .unit = "s",
                  .show = "s",
-                 .range = {.low = least}};
+                 .range = range};
   };
   std::vector<Field> rows = {
       {.path = "analysis", .text = "Solver settings; defaults usually suffice."},
@@ -193,20 +192,22 @@ std::vector<Field> analysis() {
        .fallback_text = "no dynamic analysis"},
       time(".duration", fills(&DynamicSettings::duration),
            "Simulated time covered by the statistics, from t = 0 to the first row of output at or after it.",
-           kShortestRun),
+           {.low = kMinDuration, .high = kMaxDuration}),
       time(".build_up", defaults(&DynamicSettings::build_up),
            "Time before t = 0 over which waves and vessel motion are ramped up; the current acts in full. With 0 s a "
            "told motion leaps at t = 0 from where statics have the vessel, or has its speed at once: warned of, a leap "
            "refused from 0.1 m on.",
-           0.0),
-      time(".step", fills(&DynamicSettings::step), "Fixed time step.", kShortestStep),
-      time(".max_step", fills(&DynamicSettings::max_step), "Maximum time step of the adaptive scheme.", kShortestStep),
+           {.low = 0.0, .high = kMaxDuration}),
+      time(".step", fills(&DynamicSettings::step), "Fixed time step.", {.low = kShortestStep}),
+      time(".max_step", fills(&DynamicSettings::max_step), "Maximum time step of the adaptive scheme.",
+           {.low = kShortestStep}),
       {.path = d + ".spectral_radius",
        .member = defaults(&DynamicSettings::spectral_radius),
        .kind = FieldKind::number,
        .text = "At infinite frequency: 1 means no numerical damping, 0 removes all high-frequency motion.",
        .range = {.low = 0.0, .high = 1.0}},
-      time(".output_step", defaults(&DynamicSettings::output_step), "Time between stored results.", kShortestStep),
+      time(".output_step", defaults(&DynamicSettings::output_step), "Time between stored results.",
+           {.low = kShortestStep}),
       {.path = d + ".impacts",
        .member = defaults(&DynamicSettings::impacts),
        .kind = FieldKind::choice,
@@ -256,7 +257,7 @@ std::vector<Field> analysis() {
        .member = appends_value<std::uint64_t>(),
        .kind = FieldKind::integer,
        .text = "One seed.",
-       .range = {.low = 0.0, .high = 9e15}},
+       .range = {.low = 0.0, .high = double{kMaxSeed}}},
   };
   for (Field& row : rows) {
     if (row.path == d + ".duration") row.required = true;

@@ -81,7 +81,7 @@ std::vector<Field> waves() {
        .member = defaults(&WavesDescription::seed),
        .kind = FieldKind::integer,
        .text = "Seed of the random phases.",
-       .range = {.low = 0.0, .high = 9e15}},
+       .range = {.low = 0.0, .high = double{kMaxSeed}}},
       {.path = p + ".spectrum_file",
        .member = fills(&WavesDescription::spectrum_file),
        .kind = FieldKind::text,

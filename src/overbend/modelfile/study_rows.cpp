@@ -45,7 +45,8 @@ std::vector<Field> head() {
       std::move(base),
       word_row("analysis", words_of<StudyAnalysis>(), "static",
                "What is computed of every case: static, dynamic, every stage of the operation, or the goal seek."),
-      otherwise(quantity_row("duration", read_elsewhere(), "Simulated time of dynamic analyses.", kTime, {.low = 1e-3}),
+      otherwise(quantity_row("duration", read_elsewhere(), "Simulated time of dynamic analyses.", kTime,
+                             {.low = kMinDuration, .high = kMaxDuration}),
                 "that of the model"),
       word_row("keep", {"true", "false"}, "false", "All result files of every case stay, not its record alone."),
   };

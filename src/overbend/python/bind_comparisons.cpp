@@ -1,8 +1,8 @@
 // Folders of results beside each other.
 #include <pybind11/stl.h>
 
-#include "base/file_lock.h"
 #include "python/bindings.h"
+#include "python/given.h"
 #include "python/python_errors.h"
 #include "python/to_python.h"
 #include "report/folder_comparison_page.h"
@@ -47,28 +47,30 @@ Json told_comparison(const FolderComparison& comparison) {
       {"folders", folders}, {"keys", keys}, {"results", results}, {"warnings", warnings}, {"notes", comparison.notes}};
 }
 
-FolderComparison compared(const std::vector<std::string>& folders) {
-  const std::lock_guard hold(hdf5_lock());
-  try {
-    return compare_folders({folders.begin(), folders.end()});
-  } catch (const std::runtime_error& fault) {
-    raise_results_error(fault.what());
+std::shared_ptr<FolderComparison> compared(const std::vector<std::string>& folders) {
+  if (folders.size() < 2) {
+    throw std::invalid_argument("found " + std::to_string(folders.size()) +
+                                " folders of results, expected two or more");
   }
+  return reading_results([&] {
+    return std::make_shared<FolderComparison>(compare_folders({folders.begin(), folders.end()}));
+  });
 }
 
-void save_comparison(const FolderComparison& comparison, const std::string& folder) {
+void save_comparison(const Given<FolderComparison>& comparison, const std::string& folder) {
   StagedFolder staged{fs::path(folder)};
-  write_folder_comparison(comparison, staged.path());
-  write_folder_comparison_page(comparison, staged.path() / "comparison.html");
+  write_folder_comparison(*comparison, staged.path());
+  write_folder_comparison_page(*comparison, staged.path() / "comparison.html");
   staged.commit("comparison.html");
 }
 
 }  // namespace
 
 void add_comparisons(py::module_& module) {
-  py::class_<FolderComparison>(module, "FolderComparison", "Folders of results beside each other.")
+  py::class_<FolderComparison, std::shared_ptr<FolderComparison>>(module, "FolderComparison",
+                                                                  "Folders of results beside each other.")
       .def(py::init(&compared), py::arg("folders"))
-      .def("told", [](const FolderComparison& comparison) { return to_python(told_comparison(comparison)); })
+      .def("told", [](const Given<FolderComparison>& comparison) { return to_python(told_comparison(*comparison)); })
       .def("save", &save_comparison, py::arg("folder"));
 }
 

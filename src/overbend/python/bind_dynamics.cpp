@@ -7,6 +7,7 @@
 #include "dynamics/controllers.h"
 #include "dynamics/dynamic_obstacle.h"
 #include "python/bindings.h"
+#include "python/given.h"
 #include "python/given_controller.h"
 #include "python/python_errors.h"
 #include "python/run_watch.h"
@@ -152,11 +153,22 @@ double quantity(const std::string& text, const std::string& unit) {
 void add_dynamics(py::module_& module) {
   module.def(
       "run",
-      [](const ModelHandle& model, const std::string& folder, const std::string& stage, std::optional<double> duration,
-         const std::vector<std::uint64_t>& seeds, bool several, const std::string& of, bool resume, bool restart,
-         double checkpoint, int threads, const GivenControllers& controllers, const py::object& progress) {
-        return run(model, folder,
-                   {stage, duration, seeds, several, of, resume, restart, checkpoint, threads, controllers}, progress);
+      [](const Given<ModelHandle>& model, const std::string& folder, const std::string& stage,
+         std::optional<double> duration, const std::vector<std::uint64_t>& seeds, bool several, const std::string& of,
+         bool resume, bool restart, double checkpoint, int threads, const GivenControllers& controllers,
+         const py::object& progress) {
+        require_seeds(seeds);
+        const RunWish wish{stage,
+                           duration,
+                           seeds,
+                           several,
+                           of,
+                           resume,
+                           restart,
+                           checked_number(checkpoint, "checkpoint", 0.0),
+                           checked_threads(threads),
+                           controllers};
+        return run(*model, folder, wish, progress);
       },
       py::arg("model"), py::arg("folder"), py::kw_only(), py::arg("stage") = "", py::arg("duration") = py::none(),
       py::arg("seeds") = std::vector<std::uint64_t>(), py::arg("several") = false, py::arg("of") = "",

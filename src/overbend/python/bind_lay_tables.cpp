@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "python/bindings.h"
+#include "python/given.h"
 #include "python/model_handle.h"
 #include "python/to_python.h"
 #include "python/without_lock.h"
@@ -64,9 +65,9 @@ struct RowWatch {
   }
 };
 
-std::shared_ptr<LayTableHandle> made_table(const std::shared_ptr<ModelHandle>& model, const LayTableWish& wish,
+std::shared_ptr<LayTableHandle> made_table(const Given<ModelHandle>& model, const LayTableWish& wish,
                                            const py::object& progress) {
-  auto handle = std::make_shared<LayTableHandle>(LayTableHandle{model, {}});
+  auto handle = std::make_shared<LayTableHandle>(LayTableHandle{model.shared(), {}});
   RowWatch watch;
   const auto told = [&](const LayTableRow&, std::size_t of) {
     ++watch.done;
@@ -82,21 +83,23 @@ std::shared_ptr<LayTableHandle> made_table(const std::shared_ptr<ModelHandle>& m
   return handle;
 }
 
-std::shared_ptr<ResultTree> tree_of_table(const LayTableHandle& handle) {
+using GivenTable = Given<LayTableHandle>;
+
+std::shared_ptr<ResultTree> tree_of_table(const GivenTable& handle) {
   auto tree = std::make_shared<ResultTree>();
-  write_lay_table_groups(*tree, handle.table);
+  write_lay_table_groups(*tree, handle->table);
   return tree;
 }
 
-void save_table(const LayTableHandle& handle, const std::string& folder) {
-  write_lay_table_run(handle.table, handle.model->description(), folder);
+void save_table(const GivenTable& handle, const std::string& folder) {
+  write_lay_table_run(handle->table, handle->model->description(), folder);
 }
 
 }  // namespace
 
 void add_lay_tables(py::module_& module) {
   py::class_<LayTableHandle, std::shared_ptr<LayTableHandle>>(module, "LayTable", "A lay in each row.")
-      .def(py::init([](const std::shared_ptr<ModelHandle>& model, const std::string& vary, const std::string& range,
+      .def(py::init([](const Given<ModelHandle>& model, const std::string& vary, const std::string& range,
                        const std::string& depths, const std::vector<std::pair<double, double>>& profile, bool least,
                        const py::object& progress) {
              return made_table(model, {vary, range, depths, least, profile}, progress);
@@ -104,9 +107,8 @@ void add_lay_tables(py::module_& module) {
            py::arg("model"), py::arg("vary") = "", py::arg("range") = "", py::arg("depths") = "",
            py::arg("profile") = std::vector<std::pair<double, double>>(), py::arg("least") = false,
            py::arg("progress") = py::none())
-      .def_readonly("model", &LayTableHandle::model)
-      .def("summary",
-           [](const LayTableHandle& handle) { return to_python(read_json(lay_table_summary(handle.table))); })
+      .def_property_readonly("model", [](const GivenTable& handle) { return handle->model; })
+      .def("summary", [](const GivenTable& handle) { return to_python(read_json(lay_table_summary(handle->table))); })
       .def("tree", &tree_of_table)
       .def("save", &save_table, py::arg("folder"));
 }

@@ -4,6 +4,7 @@
 #include "model/model.h"
 #include "modelfile/moved_text.h"
 #include "python/bindings.h"
+#include "python/given.h"
 #include "python/model_handle.h"
 #include "python/without_lock.h"
 
@@ -12,20 +13,21 @@ namespace {
 
 namespace py = pybind11;
 using ModelPointer = std::shared_ptr<ModelHandle>;
+using GivenModel = Given<ModelHandle>;
 
 YamlChange change_of(const std::tuple<std::string, std::string, std::string>& told) {
   const auto& [key, kind, value] = told;
-  YamlChange::Kind as = YamlChange::Kind::scalar;
-  if (kind == "flow") as = YamlChange::Kind::flow;
-  if (kind == "remove") as = YamlChange::Kind::remove;
-  return {key, as, value};
+  if (kind == "scalar") return {key, YamlChange::Kind::scalar, value};
+  if (kind == "flow") return {key, YamlChange::Kind::flow, value};
+  if (kind == "remove") return {key, YamlChange::Kind::remove, value};
+  throw std::invalid_argument("'" + key + "': found the kind '" + kind + "', expected scalar, flow or remove");
 }
 
-ModelPointer changed(const ModelHandle& model,
+ModelPointer changed(const GivenModel& model,
                      const std::vector<std::tuple<std::string, std::string, std::string>>& told) {
   std::vector<YamlChange> changes;
   for (const auto& one : told) changes.push_back(change_of(one));
-  return without_lock([&] { return model.changed(changes); });
+  return without_lock([&] { return model->changed(changes); });
 }
 
 py::object value_of(const YamlNode& node) {
@@ -48,13 +50,13 @@ py::object value_of(const YamlNode& node) {
   return py::none();
 }
 
-py::object find(const ModelHandle& model, const std::string& key) {
-  const YamlNode* node = without_lock([&] { return model.find(key); });
+py::object find(const GivenModel& model, const std::string& key) {
+  const YamlNode* node = without_lock([&] { return model->find(key); });
   return node == nullptr ? py::object(py::none()) : value_of(*node);
 }
 
-const Description& whole(const ModelHandle& model) {
-  return *without_lock([&] { return &model.description(); });
+const Description& whole(const GivenModel& model) {
+  return *without_lock([&] { return &model->description(); });
 }
 
 }  // namespace
@@ -74,19 +76,19 @@ void add_model(py::module_& module) {
            "The model with keys set: (key, 'scalar' or 'flow' or 'remove', value).")
       .def(
           "moved",
-          [](const ModelHandle& model, const std::string& folder) {
-            return moved_text(model.text(), model.file(), folder);
+          [](const GivenModel& model, const std::string& folder) {
+            return moved_text(model->text(), model->file(), folder);
           },
           py::arg("folder"), "The text for a file in another folder: files that the model names are named from there.")
       .def("value", &find, py::arg("key"), "What the text has for a key; None where it is left out.")
-      .def_property_readonly("tree", [](const ModelHandle& model) { return value_of(model.tree()); })
-      .def_property_readonly("text", [](const ModelHandle& model) { return model.text(); })
-      .def_property_readonly("file", [](const ModelHandle& model) { return model.file(); })
-      .def_property_readonly("title", [](const ModelHandle& model) { return model.still().title; })
-      .def_property_readonly("has_pipe", [](const ModelHandle& model) { return model.still().has_pipe; })
+      .def_property_readonly("tree", [](const GivenModel& model) { return value_of(model->tree()); })
+      .def_property_readonly("text", [](const GivenModel& model) { return model->text(); })
+      .def_property_readonly("file", [](const GivenModel& model) { return model->file(); })
+      .def_property_readonly("title", [](const GivenModel& model) { return model->still().title; })
+      .def_property_readonly("has_pipe", [](const GivenModel& model) { return model->still().has_pipe; })
       .def_property_readonly("assumptions",
-                             [](const ModelHandle& model) { return assumptions(build_model(whole(model))); })
-      .def_property_readonly("warnings", [](const ModelHandle& model) { return whole(model).warnings; });
+                             [](const GivenModel& model) { return assumptions(build_model(whole(model))); })
+      .def_property_readonly("warnings", [](const GivenModel& model) { return whole(model).warnings; });
 }
 
 }  // namespace overbend

@@ -5,6 +5,8 @@
 
 #include "base/file_lock.h"
 #include "python/bindings.h"
+#include "python/given.h"
+#include "python/python_errors.h"
 #include "python/statics_handle.h"
 #include "python/to_python.h"
 #include "python/without_lock.h"
@@ -55,8 +57,10 @@ class StageWatch {
   std::string name_;
 };
 
-std::shared_ptr<OperationHandle> solved_stages(const std::shared_ptr<ModelHandle>& model, const py::object& progress) {
-  auto found = std::make_shared<OperationHandle>(OperationHandle{model, {}});
+using GivenOperation = Given<OperationHandle>;
+
+std::shared_ptr<OperationHandle> solved_stages(const Given<ModelHandle>& model, const py::object& progress) {
+  auto found = std::make_shared<OperationHandle>(OperationHandle{model.shared(), {}});
   StageWatch watch;
   const auto solve = [&] {
     const Description& description = model->description();
@@ -71,30 +75,30 @@ std::shared_ptr<OperationHandle> solved_stages(const std::shared_ptr<ModelHandle
 }
 
 std::shared_ptr<OperationHandle> stored_operation(const std::string& h5) {
-  const std::lock_guard hold(hdf5_lock());
-  StoredOperation read = read_operation_results(h5);
+  StoredOperation read = reading_results([&] { return read_operation_results(h5); });
   return std::make_shared<OperationHandle>(
       OperationHandle{ModelHandle::from_text(read.model_text, read.model_file), std::move(read.results)});
 }
 
-std::shared_ptr<ResultTree> tree_of_operation(const OperationHandle& operation) {
+std::shared_ptr<ResultTree> tree_of_operation(const GivenOperation& operation) {
   auto tree = std::make_shared<ResultTree>();
-  write_operation_groups(*tree, operation.results);
+  write_operation_groups(*tree, operation->results);
   return tree;
 }
 
 /// The statics of a stage; null where it has no equilibrium.
-std::shared_ptr<StaticsHandle> stage_of(const OperationHandle& operation, std::size_t number) {
-  const StageResult& stage = operation.results.stages.at(number);
+std::shared_ptr<StaticsHandle> stage_of(const GivenOperation& operation, std::size_t number) {
+  const std::vector<StageResult>& stages = operation->results.stages;
+  const StageResult& stage = stages[checked_index(number, stages.size(), "stages")];
   if (!stage.lay) return nullptr;
   ModelStatics statics;
   statics.lay = stage.lay;
-  return std::make_shared<StaticsHandle>(operation.model, stage.stage.name, std::move(statics));
+  return std::make_shared<StaticsHandle>(operation->model, stage.stage.name, std::move(statics));
 }
 
-void save_operation(const OperationHandle& operation, const std::string& folder) {
+void save_operation(const GivenOperation& operation, const std::string& folder) {
   const std::lock_guard hold(hdf5_lock());
-  write_operation_run(operation.results, operation.model->description(), folder);
+  write_operation_run(operation->results, operation->model->description(), folder);
 }
 
 }  // namespace
@@ -103,14 +107,15 @@ void add_operations(py::module_& module) {
   py::class_<OperationHandle, std::shared_ptr<OperationHandle>>(module, "Operation", "Stages of an operation.")
       .def(py::init(&solved_stages), py::arg("model"), py::arg("progress") = py::none())
       .def_static("stored", &stored_operation, py::arg("h5"), "From results.h5.")
-      .def_readonly("model", &OperationHandle::model)
+      .def_property_readonly("model", [](const GivenOperation& operation) { return operation->model; })
       .def("summary",
-           [](const OperationHandle& operation) { return to_python(operation_summary_json(operation.results)); })
+           [](const GivenOperation& operation) { return to_python(operation_summary_json(operation->results)); })
       .def("tree", &tree_of_operation)
       .def("stage", &stage_of, py::arg("number"), "Statics of a stage, from 0; None where it has no equilibrium.")
       .def("save", &save_operation, py::arg("folder"));
   module.def(
-      "has_operation", [](const std::string& h5) { return has_lay_operation(h5); }, py::arg("h5"));
+      "has_operation", [](const std::string& h5) { return reading_results([&] { return has_lay_operation(h5); }); },
+      py::arg("h5"));
 }
 
 }  // namespace overbend

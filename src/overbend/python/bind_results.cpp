@@ -1,8 +1,10 @@
 // Trees of datasets in memory and files of results, which look alike from Python: names(group), dataset(path).
 #include <pybind11/stl.h>
 
+#include "base/utf8.h"
 #include "modelfile/yaml_edit.h"
 #include "python/bindings.h"
+#include "python/given.h"
 #include "python/python_errors.h"
 #include "python/to_python.h"
 #include "resultfiles/hdf5_file.h"
@@ -29,42 +31,57 @@ std::vector<std::string> names_in(const ResultTree& tree, std::string group) {
   return names;
 }
 
-py::tuple dataset_of(const std::shared_ptr<ResultTree>& tree, const std::string& path) {
+using GivenTree = Given<ResultTree>;
+
+py::tuple dataset_of(const GivenTree& tree, const std::string& path) {
   const auto found = tree->datasets.find(path);
-  if (found == tree->datasets.end()) throw py::key_error(path);
-  return told(found->second, py::cast(tree));
+  if (found == tree->datasets.end()) throw py::key_error(valid_utf8(path));
+  return told(found->second, py::cast(tree.shared()));
 }
 
-/// A file that stays open; datasets are read when they are asked for.
+/// A file that stays open; datasets are read when they are asked for. What cannot be read is a ResultsError.
 class ResultFile {
  public:
-  explicit ResultFile(const std::string& path) try : file_(path) {
-  } catch (const std::runtime_error& fault) {
-    raise_results_error(fault.what());
-  }
+  explicit ResultFile(const std::string& path)
+      : file_(reading_results([&] { return std::make_unique<Hdf5Reader>(path); })) {}
 
   std::vector<std::string> names(const std::string& group) const {
-    return file_.has(group) || group == "/" ? file_.names(group) : std::vector<std::string>();
+    return reading_results(
+        [&] { return file_->has(group) || group == "/" ? file_->names(group) : std::vector<std::string>(); });
   }
-  bool has(const std::string& path) const { return file_.has(path); }
+  bool has(const std::string& path) const {
+    return reading_results([&] { return file_->has(path); });
+  }
   py::tuple dataset(const std::string& path) const {
-    if (!file_.has(path)) throw py::key_error(path);
-    auto held = std::make_unique<Dataset>(file_.whole(path));
+    if (!has(path)) throw py::key_error(valid_utf8(path));
+    auto held = reading_results([&] { return std::make_unique<Dataset>(file_->whole(path)); });
     const Dataset& set = *held;
     const py::capsule owner(held.release(), [](void* pointer) { delete static_cast<Dataset*>(pointer); });
     return told(set, owner);
   }
   /// Of the first dimension `count` lines from `first` on.
   py::array_t<double> lines(const std::string& path, Extent first, Extent count) const {
-    const auto held = new std::vector<double>(file_.doubles(path, first, count));
-    const py::capsule owner(held, [](void* pointer) { delete static_cast<std::vector<double>*>(pointer); });
-    return py::array_t<double>(static_cast<py::ssize_t>(held->size()), held->data(), owner);
+    const Extent last = extent(path);
+    if (first > last || count > last - first) {
+      throw py::index_error(valid_utf8(path) + " has " + std::to_string(last) + " lines, found " +
+                            std::to_string(count) + " from " + std::to_string(first) + " on");
+    }
+    auto read =
+        reading_results([&] { return std::make_unique<std::vector<double>>(file_->doubles(path, first, count)); });
+    const std::vector<double>& values = *read;
+    const py::capsule owner(read.release(), [](void* pointer) { delete static_cast<std::vector<double>*>(pointer); });
+    return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data(), owner);
   }
-  Extent extent(const std::string& path) const { return file_.lines(path); }
+  Extent extent(const std::string& path) const {
+    if (!has(path)) throw py::key_error(valid_utf8(path));
+    return reading_results([&] { return file_->lines(path); });
+  }
 
  private:
-  Hdf5Reader file_;
+  std::unique_ptr<Hdf5Reader> file_;
 };
+
+using GivenFile = Given<ResultFile>;
 
 /// Values, unit, and whether the name is of one value.
 py::tuple values_of_name(const std::string& summary, const std::string& name) {
@@ -86,20 +103,31 @@ py::tuple values_of_name(const std::string& summary, const std::string& name) {
 void add_results(py::module_& module) {
   py::class_<ResultTree, std::shared_ptr<ResultTree>>(module, "ResultTree", "Datasets in memory, by their paths.")
       .def(
-          "names", [](const ResultTree& tree, const std::string& group) { return names_in(tree, group); },
+          "names", [](const GivenTree& tree, const std::string& group) { return names_in(*tree, group); },
           py::arg("group"), "What stands directly in a group; names of groups end with '/'.")
       .def(
-          "has", [](const ResultTree& tree, const std::string& path) { return tree.datasets.contains(path); },
+          "has", [](const GivenTree& tree, const std::string& path) { return tree->datasets.contains(path); },
           py::arg("path"))
       .def("dataset", &dataset_of, py::arg("path"), "(values, units, description, frame, scales) of a dataset.");
-  py::class_<ResultFile>(module, "ResultFile", "results.h5, read when asked.")
+  py::class_<ResultFile, std::shared_ptr<ResultFile>>(module, "ResultFile", "results.h5, read when asked.")
       .def(py::init<const std::string&>(), py::arg("path"))
-      .def("names", &ResultFile::names, py::arg("group"), "What stands directly in a group; groups end with '/'.")
-      .def("has", &ResultFile::has, py::arg("path"))
-      .def("dataset", &ResultFile::dataset, py::arg("path"), "(values, units, description, frame, scales).")
-      .def("lines", &ResultFile::lines, py::arg("path"), py::arg("first"), py::arg("count"),
-           "Numbers of `count` lines of the first dimension, flat.")
-      .def("extent", &ResultFile::extent, py::arg("path"), "Number of lines of the first dimension.");
+      .def(
+          "names", [](const GivenFile& file, const std::string& group) { return file->names(group); }, py::arg("group"),
+          "What stands directly in a group; groups end with '/'.")
+      .def(
+          "has", [](const GivenFile& file, const std::string& path) { return file->has(path); }, py::arg("path"))
+      .def(
+          "dataset", [](const GivenFile& file, const std::string& path) { return file->dataset(path); },
+          py::arg("path"), "(values, units, description, frame, scales).")
+      .def(
+          "lines",
+          [](const GivenFile& file, const std::string& path, Extent first, Extent count) {
+            return file->lines(path, first, count);
+          },
+          py::arg("path"), py::arg("first"), py::arg("count"), "Numbers of `count` lines of the first dimension, flat.")
+      .def(
+          "extent", [](const GivenFile& file, const std::string& path) { return file->extent(path); }, py::arg("path"),
+          "Number of lines of the first dimension.");
   module.def("named_values", &values_of_name, py::arg("summary"), py::arg("name"),
              "The values of a result by its name in the text of a summary.json, their unit, and whether it is one.");
   module.def("result_paths", &dynamic_result_paths, "The names of all results.");

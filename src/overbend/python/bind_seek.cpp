@@ -3,6 +3,7 @@
 #include "modelfile/seek_reader.h"
 #include "modelfile/yaml_reader.h"
 #include "python/bindings.h"
+#include "python/given.h"
 #include "python/statics_handle.h"
 #include "python/to_python.h"
 #include "python/without_lock.h"
@@ -57,16 +58,18 @@ std::shared_ptr<SoughtHandle> sought(const ModelHandle& model, const std::string
   return found;
 }
 
-std::shared_ptr<SoughtHandle> seek_of(const ModelHandle& model, const std::string& wanted) {
+using GivenSought = Given<SoughtHandle>;
+
+std::shared_ptr<SoughtHandle> seek_of(const Given<ModelHandle>& model, const std::string& wanted) {
   std::shared_ptr<SoughtHandle> found;
   std::atomic<bool> stop = false;
-  work_beside([&] { found = sought(model, wanted, [&] { return stop.load(); }); }, stop, {});
+  work_beside([&] { found = sought(*model, wanted, [&] { return stop.load(); }); }, stop, {});
   return found;
 }
 
-void save_seek(const SoughtHandle& found, const std::string& folder) {
+void save_seek(const GivenSought& found, const std::string& folder) {
   const std::lock_guard hold(hdf5_lock());
-  write_seek_run(found.run, found.description, folder);
+  write_seek_run(found->run, found->description, folder);
 }
 
 }  // namespace
@@ -74,9 +77,9 @@ void save_seek(const SoughtHandle& found, const std::string& folder) {
 void add_seek(py::module_& module) {
   py::class_<SoughtHandle, std::shared_ptr<SoughtHandle>>(module, "Sought", "What a goal seek found.")
       .def_property_readonly("results",
-                             [](const SoughtHandle& found) { return to_python(seek_json(found.run.results)); })
-      .def_readonly("model", &SoughtHandle::answer)
-      .def_readonly("statics", &SoughtHandle::statics)
+                             [](const GivenSought& found) { return to_python(seek_json(found->run.results)); })
+      .def_property_readonly("model", [](const GivenSought& found) { return found->answer; })
+      .def_property_readonly("statics", [](const GivenSought& found) { return found->statics; })
       .def("save", &save_seek, py::arg("folder"));
   module.def("seek", &seek_of, py::arg("model"), py::arg("wanted"),
              "Searches for what the text in YAML's flow style says as the key `seek`; empty: the model's own.");

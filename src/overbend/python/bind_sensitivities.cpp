@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "python/bindings.h"
+#include "python/given.h"
 #include "python/python_errors.h"
 #include "python/statics_handle.h"
 #include "python/to_python.h"
@@ -42,9 +43,10 @@ Json told_sensitivities(const SensitivityResults& results) {
 void add_sensitivities(py::module_& module) {
   module.def(
       "sensitivities",
-      [](const ModelHandle& model, const std::string& stage, const std::vector<std::string>& keys, bool one_sided) {
+      [](const Given<ModelHandle>& model, const std::string& stage, const std::vector<std::string>& keys,
+         bool one_sided) {
         return to_python(told_sensitivities(without_lock([&] {
-          return sensitivities_at(model, stage, {keys, one_sided});
+          return sensitivities_at(*model, stage, {keys, one_sided});
         })));
       },
       py::arg("model"), py::arg("stage"), py::arg("keys"), py::arg("one_sided"),

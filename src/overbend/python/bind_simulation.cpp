@@ -2,17 +2,23 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <bit>
+#include <cmath>
+
 #include "dynamics/mooring_tension.h"
 #include "python/bindings.h"
+#include "python/given.h"
 #include "python/python_errors.h"
 #include "python/simulation_handle.h"
 #include "python/without_lock.h"
+#include "runstore/checksum.h"
 
 namespace overbend {
 namespace {
 
 namespace py = pybind11;
-using Handle = std::shared_ptr<SimulationHandle>;
+using Handle = Given<SimulationHandle>;
+using Saved = Given<SavedSimulation>;
 
 /// Values with what is told of them: (values, units, description, frame).
 py::tuple told(const py::object& values, const char* units, const char* description, const char* frame = "") {
@@ -125,6 +131,7 @@ constexpr const char* kStateWords[kTensionerStates] = {"hold", "delay", "pay_out
 
 /// Tensions of a mooring line by its number.
 py::dict mooring_of(const SimulationHandle& handle, std::size_t line) {
+  checked_index(line, handle.simulation().moorings().size(), "mooring lines");
   const Instant now = handle.simulation().now();
   py::dict told;
   told["tension"] = mooring_tension(*now.assembly, *now.state, line, LineEnd::last);
@@ -168,6 +175,7 @@ py::dict machine_of(const SimulationHandle& handle, const std::string& name) {
 }
 
 void advance_to(const Handle& handle, double until) {
+  if (std::isnan(until)) throw std::invalid_argument("until: found nan, expected a time [s]");
   std::atomic<bool> stop = false;
   try {
     work_beside([&] { work_with_calls([&] { handle->advance(until, stop); }); }, stop, {});
@@ -188,44 +196,63 @@ bool take_step(const Handle& handle) {
   return stepped;
 }
 
-py::dict arrays_of(const SavedSimulation& saved) {
+py::dict arrays_of(const Saved& saved) {
   py::dict arrays;
-  for (const DynamicCheckpoint::Array& array : saved.state.arrays) {
+  for (const DynamicCheckpoint::Array& array : saved->state.arrays) {
     arrays[py::str(array.name)] =
         py::array_t<double>(static_cast<py::ssize_t>(array.values.size()), array.values.data());
   }
   return arrays;
 }
 
-SavedSimulation saved_of(const py::tuple& told) {
-  SavedSimulation saved;
-  saved.input = told[0].cast<std::string>();
-  saved.state.time = told[1].cast<double>();
+/// Of all numbers of a state: one that was changed would lead the engine astray.
+std::uint64_t checksum_of(const SavedSimulation& saved) {
+  std::uint64_t sum = add_to_checksum(kChecksumStart, std::bit_cast<std::uint64_t>(saved.state.time));
+  for (const DynamicCheckpoint::Array& array : saved.state.arrays) {
+    sum = add_to_checksum(sum, array.values.size());
+    for (const double value : array.values) sum = add_to_checksum(sum, std::bit_cast<std::uint64_t>(value));
+  }
+  return sum;
+}
+
+py::tuple told_state(const Saved& saved) {
+  return py::make_tuple(saved->input, saved->state.time, arrays_of(saved), checksum_of(*saved));
+}
+
+std::shared_ptr<SavedSimulation> saved_of(const py::tuple& told) {
+  if (told.size() != 4) throw py::value_error("this is no state of a simulation, or one of another version");
+  auto saved = std::make_shared<SavedSimulation>();
+  saved->input = told[0].cast<std::string>();
+  saved->state.time = told[1].cast<double>();
   for (const auto& [name, values] : told[2].cast<py::dict>()) {
-    saved.state.arrays.push_back({name.cast<std::string>(), values.cast<std::vector<double>>()});
+    saved->state.arrays.push_back({name.cast<std::string>(), values.cast<std::vector<double>>()});
+  }
+  if (told[3].cast<std::uint64_t>() != checksum_of(*saved)) {
+    throw py::value_error("the state of the simulation is damaged: it is not what was saved");
   }
   return saved;
 }
 
 void add_saved(py::module_& module) {
-  py::class_<SavedSimulation>(module, "SavedSimulation", "A state of a simulation.")
-      .def_property_readonly("time", [](const SavedSimulation& saved) { return saved.state.time; })
+  py::class_<SavedSimulation, std::shared_ptr<SavedSimulation>>(module, "SavedSimulation", "A state of a simulation.")
+      .def_property_readonly("time", [](const Saved& saved) { return saved->state.time; })
       .def_property_readonly("arrays", &arrays_of)
-      .def(py::pickle(
-          [](const SavedSimulation& saved) { return py::make_tuple(saved.input, saved.state.time, arrays_of(saved)); },
-          &saved_of));
+      .def(py::pickle(&told_state, &saved_of));
 }
 
-Handle started(const ModelHandle& model, const std::string& stage, std::optional<double> duration,
-               std::optional<std::uint64_t> seed, const GivenControllers& controllers) {
-  return without_lock([&] { return std::make_shared<SimulationHandle>(model, stage, duration, seed, controllers); });
+std::shared_ptr<SimulationHandle> started(const Given<ModelHandle>& model, const std::string& stage,
+                                          std::optional<double> duration, std::optional<std::uint64_t> seed,
+                                          const GivenControllers& controllers) {
+  if (seed) require_seeds({*seed});
+  return without_lock([&] { return std::make_shared<SimulationHandle>(*model, stage, duration, seed, controllers); });
 }
 
 }  // namespace
 
 void add_simulation(py::module_& module) {
   add_saved(module);
-  py::class_<SimulationHandle, Handle>(module, "Simulation", "A dynamic analysis that goes on step by step.")
+  py::class_<SimulationHandle, std::shared_ptr<SimulationHandle>>(module, "Simulation",
+                                                                  "A dynamic analysis that goes on step by step.")
       .def(py::init(&started), py::arg("model"), py::kw_only(), py::arg("stage") = "", py::arg("duration") = py::none(),
            py::arg("seed") = py::none(), py::arg("controllers") = GivenControllers())
       .def("step", &take_step)
@@ -262,10 +289,9 @@ void add_simulation(py::module_& module) {
       .def(
           "machine", [](const Handle& handle, const std::string& name) { return machine_of(*handle, name); },
           py::arg("name"))
-      .def("save", [](const Handle& handle) { return handle->save(); })
+      .def("save", [](const Handle& handle) { return std::make_shared<SavedSimulation>(handle->save()); })
       .def(
-          "restore", [](const Handle& handle, const SavedSimulation& saved) { handle->restore(saved); },
-          py::arg("saved"));
+          "restore", [](const Handle& handle, const Saved& saved) { handle->restore(*saved); }, py::arg("saved"));
 }
 
 }  // namespace overbend

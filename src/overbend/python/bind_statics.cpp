@@ -1,6 +1,9 @@
 // Statics of a model.
+#include <pybind11/stl.h>
+
 #include "base/file_lock.h"
 #include "python/bindings.h"
+#include "python/given.h"
 #include "python/statics_handle.h"
 #include "python/to_python.h"
 #include "python/without_lock.h"
@@ -10,29 +13,34 @@ namespace {
 
 namespace py = pybind11;
 
-std::shared_ptr<StaticsHandle> solved(const std::shared_ptr<ModelHandle>& model, const std::string& stage,
-                                      const StaticsHandle* start) {
-  return without_lock([&] { return std::make_shared<StaticsHandle>(model, stage, start); });
+using GivenStatics = Given<StaticsHandle>;
+
+std::shared_ptr<StaticsHandle> solved(const Given<ModelHandle>& model, const std::string& stage,
+                                      const std::optional<GivenStatics>& start) {
+  const StaticsHandle* const from = start ? &**start : nullptr;
+  return without_lock([&] { return std::make_shared<StaticsHandle>(model.shared(), stage, from); });
 }
 
 }  // namespace
 
 void add_statics(py::module_& module) {
   py::class_<StaticsHandle, std::shared_ptr<StaticsHandle>>(module, "Statics", "An equilibrium.")
-      .def(py::init(&solved), py::arg("model"), py::arg("stage") = "", py::arg("start") = nullptr)
-      .def_property_readonly("model", &StaticsHandle::model)
+      .def(py::init(&solved), py::arg("model"), py::arg("stage") = "", py::arg("start") = py::none())
+      .def_property_readonly("model", [](const GivenStatics& statics) { return statics->model(); })
       .def(
           "summary",
-          [](const StaticsHandle& statics, bool all) {
-            return to_python(without_lock([&] { return statics.summary(all); }));
+          [](const GivenStatics& statics, bool all) {
+            return to_python(without_lock([&] { return statics->summary(all); }));
           },
           py::arg("all"), "As summary.json; without `all` lacks the limits of roller friction and the hull's damping.")
-      .def("tree", &StaticsHandle::tree, py::call_guard<py::gil_scoped_release>(), "As results.h5.")
+      .def(
+          "tree", [](const GivenStatics& statics) { return without_lock([&] { return statics->tree(); }); },
+          "As results.h5.")
       .def(
           "save",
-          [](const StaticsHandle& statics, const std::string& folder) {
+          [](const GivenStatics& statics, const std::string& folder) {
             const std::lock_guard hold(hdf5_lock());
-            statics.save(folder);
+            statics->save(folder);
           },
           py::arg("folder"));
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "python/bindings.h"
+#include "python/given.h"
 #include "python/python_errors.h"
 #include "python/study_handle.h"
 #include "python/to_python.h"
@@ -23,16 +24,18 @@ struct StudyConduct {
   double checkpoint_every = 60.0;
 };
 
+using GivenStudy = Given<StudyHandle>;
+
 /// Whether it was interrupted before its end.
-bool run_to_end(const StudyHandle& study, const std::string& folder, const StudyConduct& conduct,
+bool run_to_end(const GivenStudy& study, const std::string& folder, const StudyConduct& conduct,
                 const py::object& progress) {
   CaseCount count;
   bool interrupted = false;
   const auto work = [&] {
-    study.open(folder);
+    study->open(folder);
     StudyRunOptions options{.threads = conduct.threads, .retry_failed = conduct.retry_failed};
     options.checkpoint_every = conduct.checkpoint_every;
-    const WholeStudy whole = run_whole_study(study.base(), folder, options, count);
+    const WholeStudy whole = run_whole_study(study->base(), folder, options, count);
     interrupted = whole.ending == RunEnding::interrupted;
     if (whole.ending != RunEnding::done && !interrupted) throw UnusableFolder(whole.why);
   };
@@ -50,33 +53,26 @@ bool run_to_end(const StudyHandle& study, const std::string& folder, const Study
 }
 
 /// One case alone, with all its files: its folder within that of the study.
-std::string run_one(const StudyHandle& study, const std::string& folder, std::size_t number) {
-  if (number >= study.cases().count()) {
-    throw py::index_error("the study has cases 0 to " + std::to_string(study.cases().count() - 1));
-  }
+std::string run_one(const GivenStudy& study, const std::string& folder, std::size_t number) {
+  checked_index(number, study->cases().count(), "cases");
   StudyCase one;
   std::atomic<bool> stop = false;
   const auto work = [&] {
-    study.open(folder);
-    one = run_study_case(study.base(), study.cases(), folder, number, [&] { return stop.load(); });
+    study->open(folder);
+    one = run_study_case(study->base(), study->cases(), folder, number, [&] { return stop.load(); });
   };
   work_beside(work, stop, {});
   if (one.state == StudyCaseState::failed) throw EndedRun({RunEnding::no_solution, one.reason});
   return one.folder;
 }
 
-StudyResults read_so_far(const std::string& folder) {
-  const std::lock_guard hold(hdf5_lock());
-  try {
-    return study_so_far(folder);
-  } catch (const std::runtime_error& fault) {
-    raise_results_error(fault.what());
-  }
+std::shared_ptr<StudyResults> read_so_far(const std::string& folder) {
+  return reading_results([&] { return std::make_shared<StudyResults>(study_so_far(folder)); });
 }
 
-std::shared_ptr<ResultTree> tree_of_study(const StudyResults& results) {
+std::shared_ptr<ResultTree> tree_of_study(const Given<StudyResults>& results) {
   auto tree = std::make_shared<ResultTree>();
-  write_study_groups(*tree, results);
+  write_study_groups(*tree, *results);
   return tree;
 }
 
@@ -117,26 +113,28 @@ void add_studies(py::module_& module) {
           py::arg("file"))
       .def_static(
           "of",
-          [](const ModelHandle& model, const std::string& text, const std::string& folder) {
-            return without_lock([&] { return StudyHandle::of(model, text, folder); });
+          [](const Given<ModelHandle>& model, const std::string& text, const std::string& folder) {
+            return without_lock([&] { return StudyHandle::of(*model, text, folder); });
           },
           py::arg("model"), py::arg("text"), py::arg("folder"))
-      .def_property_readonly("count", [](const StudyHandle& study) { return study.cases().count(); })
+      .def_property_readonly("count", [](const GivenStudy& study) { return study->cases().count(); })
       .def(
           "run",
-          [](const StudyHandle& study, const std::string& folder, int threads, bool retry_failed, double checkpoint,
+          [](const GivenStudy& study, const std::string& folder, int threads, bool retry_failed, double checkpoint,
              const py::object& progress) {
-            return run_to_end(study, folder, {threads, retry_failed, checkpoint}, progress);
+            return run_to_end(study, folder,
+                              {checked_threads(threads), retry_failed, checked_number(checkpoint, "checkpoint", 0.0)},
+                              progress);
           },
           py::arg("folder"), py::kw_only(), py::arg("threads") = 0, py::arg("retry_failed") = false,
           py::arg("checkpoint") = 60.0, py::arg("progress") = py::none(),
           "Runs what is open; whether it was interrupted.")
       .def("run_case", &run_one, py::arg("folder"), py::arg("number"),
            "Solves one case with all its files: its folder within that of the study.");
-  py::class_<StudyResults>(module, "StudyTables", "What a study gave.")
+  py::class_<StudyResults, std::shared_ptr<StudyResults>>(module, "StudyTables", "What a study gave.")
       .def(py::init(&read_so_far), py::arg("folder"))
       .def("tree", &tree_of_study)
-      .def("told", [](const StudyResults& results) { return to_python(told_study(results)); });
+      .def("told", [](const Given<StudyResults>& results) { return to_python(told_study(*results)); });
 }
 
 }  // namespace overbend

@@ -11,6 +11,23 @@ std::string shown(const py::handle& object) {
   return py::repr(object).cast<std::string>();
 }
 
+/// None where a controller needs no such function.
+void require_callable(const py::object& function, const char* name) {
+  if (function.is_none() || PyCallable_Check(function.ptr()) != 0) return;
+  throw py::type_error(std::string(name) + ": found " + shown(function) + ", expected a function or None");
+}
+
+overbend_controller compiled_function(const py::object& function) {
+  const py::module_ ctypes = py::module_::import("ctypes");
+  if (!py::isinstance(function, ctypes.attr("_CFuncPtr"))) {
+    throw py::type_error("a compiled controller is a function of ctypes, found " + shown(function));
+  }
+  const py::object address = ctypes.attr("cast")(function, ctypes.attr("c_void_p")).attr("value");
+  if (address.is_none()) throw py::type_error("the compiled controller is a null pointer");
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): ctypes gives the place of a function as a number
+  return reinterpret_cast<overbend_controller>(address.cast<std::uintptr_t>());
+}
+
 }  // namespace
 
 py::object set_tension_class() {
@@ -32,13 +49,19 @@ PythonController::PythonController(py::function function, py::object save, py::o
     : function_(std::move(function)),
       save_(std::move(save)),
       restore_(std::move(restore)),
-      set_tension_(set_tension_class()) {}
+      set_tension_(set_tension_class()) {
+  require_callable(save_, "save");
+  require_callable(restore_, "restore");
+}
 
 /// Where a function raises, its exception is kept as it is for who started the run.
 void PythonController::keep(py::error_already_set& error) const {
   raised_ = error.value();
   if (error.trace()) PyException_SetTraceback(raised_.ptr(), error.trace().ptr());
 }
+
+KeptController::KeptController(py::object function, std::vector<double> memory)
+    : CompiledController(compiled_function(function), std::move(memory)), function_(std::move(function)) {}
 
 MachineCommand PythonController::command(const MachineReading& seen) {
   const py::gil_scoped_acquire hold;

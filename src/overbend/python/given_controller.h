@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dynamics/controller.h"
+#include "python/given.h"
 
 namespace overbend {
 
@@ -33,6 +34,16 @@ class PythonController : public Controller {
   mutable pybind11::object raised_;  ///< An exception; none.
 };
 
+/// A compiled function that ctypes knows, which is kept alive. Likewise.
+class KeptController : public CompiledController {
+ public:
+  /// Throws pybind11::type_error where it is no function of ctypes, or a null pointer.
+  KeptController(pybind11::object function, std::vector<double> memory);
+
+ private:
+  pybind11::object function_;
+};
+
 /// A controller of a machine, and how often it is asked.
 struct GivenController {
   std::shared_ptr<Controller> controller;  ///< Null: the machine takes commands by calls alone.
@@ -40,7 +51,7 @@ struct GivenController {
 };
 
 /// By the machine that each drives.
-using GivenControllers = std::map<std::string, std::shared_ptr<GivenController>>;
+using GivenControllers = std::map<std::string, Given<GivenController>>;
 
 /// For a run; what they point to belongs to `given`.
 std::vector<ControllerUse> uses_of(const GivenControllers& given);

@@ -2,6 +2,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include "base/utf8.h"
 #include "modelfile/yaml_edit.h"
 #include "python/bindings.h"
 #include "python/model_handle.h"
@@ -13,11 +14,19 @@ namespace {
 
 namespace py = pybind11;
 
+py::str python_text(const std::string& text) {
+  return py::str(valid_utf8(text));
+}
+
+py::object python_text(py::object other) {
+  return other;
+}
+
 /// Sets the exception overbend.errors.<name>(arguments...).
 template <class... Arguments>
 void set_error(const char* name, Arguments&&... arguments) {
   const py::object type = py::module_::import("overbend.errors").attr(name);
-  const py::object error = type(std::forward<Arguments>(arguments)...);
+  const py::object error = type(python_text(std::forward<Arguments>(arguments))...);
   PyErr_SetObject(type.ptr(), error.ptr());
 }
 
@@ -78,6 +87,13 @@ void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-v
     set_error("ResultsError", fault.what());
   } catch (const std::invalid_argument& fault) {
     set_error("ModelError", fault.what());
+  } catch (const py::builtin_exception&) {
+    throw;
+  } catch (const py::error_already_set&) {
+    throw;
+  } catch (const std::exception& fault) {  // pybind11 has an exception for it, but takes its text for UTF-8
+    if (valid_utf8(fault.what()) == fault.what()) throw;
+    PyErr_SetString(PyExc_RuntimeError, valid_utf8(fault.what()).c_str());
   }
 }
 

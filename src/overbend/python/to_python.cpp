@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "base/utf8.h"
+
 namespace overbend {
 namespace {
 
@@ -18,9 +20,9 @@ py::object numbers(const std::vector<Number>& values, const std::vector<Extent>&
 }
 
 py::object texts(const std::vector<std::string>& values, const std::vector<Extent>& shape) {
-  if (shape.empty() && values.size() == 1) return py::str(values.front());
+  if (shape.empty() && values.size() == 1) return py::str(valid_utf8(values.front()));
   py::list list;
-  for (const std::string& value : values) list.append(value);
+  for (const std::string& value : values) list.append(valid_utf8(value));
   if (values.empty()) return py::module_::import("numpy").attr("empty")(0, "U1");
   return py::module_::import("numpy").attr("array")(list);
 }
@@ -31,7 +33,7 @@ py::object to_python(const Json& json) {
   switch (json.type()) {
     case Json::value_t::object: {
       py::dict object;
-      for (const auto& [key, value] : json.items()) object[py::str(key)] = to_python(value);
+      for (const auto& [key, value] : json.items()) object[py::str(valid_utf8(key))] = to_python(value);
       return object;
     }
     case Json::value_t::array: {
@@ -40,7 +42,7 @@ py::object to_python(const Json& json) {
       return list;
     }
     case Json::value_t::string:
-      return py::str(json.get_ref<const std::string&>());
+      return py::str(valid_utf8(json.get_ref<const std::string&>()));
     case Json::value_t::boolean:
       return py::bool_(json.get<bool>());
     case Json::value_t::number_integer:
@@ -65,8 +67,9 @@ py::object to_python(const Dataset& dataset, const py::object& owner) {
 
 py::tuple told(const Dataset& dataset, const py::object& owner) {
   py::list scales;
-  for (const std::string& scale : dataset.scales) scales.append(scale);
-  return py::make_tuple(to_python(dataset, owner), dataset.units, dataset.description, dataset.frame, scales);
+  for (const std::string& scale : dataset.scales) scales.append(valid_utf8(scale));
+  return py::make_tuple(to_python(dataset, owner), valid_utf8(dataset.units), valid_utf8(dataset.description),
+                        valid_utf8(dataset.frame), scales);
 }
 
 }  // namespace overbend

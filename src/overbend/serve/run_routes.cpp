@@ -1,5 +1,7 @@
 #include "serve/run_routes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,8 +30,8 @@ constexpr std::array<std::string_view, 5> kKinds = {"static", "dynamic", "seeds"
 double duration_of(const Json& body) {
   if (!body.contains("duration") || body["duration"].is_null()) return 0.0;
   const double duration = body["duration"].get<double>();
-  if (!(duration > 0.0 && duration <= 1e7)) {
-    throw HttpFault(422, "duration: expected a time above 0 s and of at most 1e7 s");
+  if (!(duration >= kMinDuration && duration <= kMaxDuration)) {
+    throw HttpFault(422, fmt::format("duration: expected a time from {} s to {:g} s", kMinDuration, kMaxDuration));
   }
   return duration;
 }

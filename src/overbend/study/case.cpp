@@ -1,5 +1,7 @@
 #include "study/case.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -23,8 +25,19 @@ Description edited(const Description& base, const Case& one) {
 
 }  // namespace
 
+void require_seeds(const std::vector<std::uint64_t>& seeds) {
+  for (const std::uint64_t seed : seeds) {
+    if (seed <= kMaxSeed) continue;
+    throw std::invalid_argument(fmt::format("seeds: found {}, expected whole numbers from 0 to {}", seed, kMaxSeed));
+  }
+}
+
 void set_duration(Description& description, const std::optional<double>& duration) {
   if (!duration) return;
+  if (!(*duration >= kMinDuration && *duration <= kMaxDuration)) {
+    throw std::invalid_argument(fmt::format("duration: found {:.6g} s, expected a time from {} s to {:g} s", *duration,
+                                            kMinDuration, kMaxDuration));
+  }
   if (!description.dynamics) description.dynamics.emplace();
   description.dynamics->duration = *duration;
 }

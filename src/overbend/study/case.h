@@ -22,8 +22,11 @@ struct Case {
   std::vector<ControllerUse> controllers{};  ///< Of its run alone: they remember.
 };
 
+/// Throws std::invalid_argument where a seed is beyond those that a model file can have.
+void require_seeds(const std::vector<std::uint64_t>& seeds);
+
 /// The simulated time in the place of the model's [s], of a model without analysis.dynamic as well; without one nothing
-/// changes.
+/// changes. Throws std::invalid_argument where it is no time that can be meant.
 void set_duration(Description& description, const std::optional<double>& duration);
 
 /// The model with the case's keys set in its text, and its duration. Throws std::runtime_error where a key cannot be
