@@ -13,6 +13,7 @@ and what a header names within its types, and no header outside of them, is a me
 import collections
 import functools
 import itertools
+import os
 import pathlib
 import re
 import sys
@@ -36,7 +37,7 @@ BORROWED = re.compile(r"^using (?!namespace)(?:[\w:]+::)?(\w+)(?: = [^;]*)?;", r
 
 @functools.cache
 def code(path):
-    return NOT_CODE.sub("", path.read_text())
+    return NOT_CODE.sub("", path.read_text(encoding="utf-8"))
 
 
 @functools.cache
@@ -70,7 +71,7 @@ def headers(path):
     """Of this project, that the source includes, however far down."""
     found, ahead = set(), [path]
     while ahead:
-        for name in INCLUDE.findall(ahead.pop().read_text()):
+        for name in INCLUDE.findall(ahead.pop().read_text(encoding="utf-8")):
             header = next((root / name for root in roots(path) if (root / name).is_file()), None)
             if header and header not in found:
                 found.add(header)
@@ -151,7 +152,7 @@ def named_units(sources, largest):
             if 4 * len(unit) < 3 * largest:
                 left_over += unit
             else:
-                yield "_".join(folder.parts[-2:]) + f"_{number}", unit
+                yield re.sub(r"\W", "_", "_".join(folder.parts[-2:]), flags=re.ASCII) + f"_{number}", unit
     for number, unit in enumerate(units(left_over, largest)):
         yield f"left_over_{number}", unit
 
@@ -160,8 +161,8 @@ def main():
     largest = int(sys.argv[1])
     sources = [pathlib.Path(name).resolve() for name in sys.argv[2:]]
     for name, unit in named_units(sources, largest):
-        for source in unit:
-            print(f"{name} {source}")
+        for source in unit:  # as the bytes that the path came as, whatever the locale
+            sys.stdout.buffer.write(f"{name} ".encode() + os.fsencode(source) + b"\n")
 
 
 if __name__ == "__main__":

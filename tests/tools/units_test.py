@@ -2,11 +2,13 @@
 """Sources are compiled together only where their names allow it: tools/units.py."""
 
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
 from units import named_units, units  # noqa: E402
 
 
@@ -21,7 +23,7 @@ class Units(unittest.TestCase):
             inside = pathlib.Path(folder) / "src" / "overbend"
             inside.mkdir(parents=True)
             for name, text in {"a.cpp": first, "b.cpp": second, **{k + ".h": v for k, v in headers.items()}}.items():
-                (inside / name).write_text(text)
+                (inside / name).write_text(text, encoding="utf-8")
             return len(units([inside / "a.cpp", inside / "b.cpp"], 8)) == 1
 
     def test_sources_that_share_no_name_stand_together(self):
@@ -73,7 +75,7 @@ class Units(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             paths = [pathlib.Path(folder) / f"{i}.cpp" for i in range(5)]
             for path in paths:
-                path.write_text("")
+                path.write_text("", encoding="utf-8")
             self.assertEqual([len(unit) for unit in units(paths, 2)], [2, 2, 1])
 
     def test_what_folders_leave_over_shares_a_unit(self):
@@ -82,9 +84,46 @@ class Units(unittest.TestCase):
             paths = [path for path in paths if path.parent.name == "many" or path.stem in "01"]
             for path in paths:
                 path.parent.mkdir(exist_ok=True)
-                path.write_text("")
+                path.write_text("", encoding="utf-8")
             made = {name: [path.parent.name for path in unit] for name, unit in named_units(paths, 4)}
             self.assertEqual(sorted(made.values()), [["few", "few", "many"], ["many"] * 4])
+
+    def test_names_of_units_are_words_whatever_the_folder_is_called(self):
+        with tempfile.TemporaryDirectory(prefix="mit Leerzeichen und ü ") as folder:
+            paths = [pathlib.Path(folder) / "tests" / f"{i}.cpp" for i in range(4)]
+            paths[0].parent.mkdir()
+            for path in paths:
+                path.write_text("", encoding="utf-8")
+            for name, _ in named_units(paths, 4):
+                self.assertRegex(name, r"^\w+$")
+                self.assertTrue(name.isascii())
+
+
+PROJECT = """
+cmake_minimum_required(VERSION 3.25)
+project(units CXX)
+include("%s/tools/units.cmake")
+set(sources "${PROJECT_SOURCE_DIR}/a.cpp" "${PROJECT_SOURCE_DIR}/b.cpp" "${PROJECT_SOURCE_DIR}/c.cpp")
+add_library(together STATIC ${sources})
+compile_in_units(together 8 ${sources})
+"""
+
+
+class Build(unittest.TestCase):
+    def test_sources_in_a_folder_with_blanks_and_umlauts_share_units(self):
+        with tempfile.TemporaryDirectory(prefix="mit Leerzeichen und ü ") as place:
+            folder = pathlib.Path(place)
+            (folder / "tools").mkdir()
+            (folder / "tools" / "units.py").symlink_to(ROOT / "tools" / "units.py")
+            (folder / "CMakeLists.txt").write_text(PROJECT % ROOT, encoding="utf-8")
+            for name in "abc":
+                (folder / f"{name}.cpp").write_text(f"int {name}() {{ return 1; }}\n", encoding="utf-8")
+            done = subprocess.run(["cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build"], capture_output=True,
+                                  check=False)
+            self.assertEqual(done.returncode, 0, done.stderr.decode(errors="replace"))
+            steps = (folder / "build" / "build.ninja").read_text(encoding="utf-8")
+            self.assertEqual(steps.count("unity_left_over_0_cxx.cxx.o: "), 1)
+            self.assertNotIn("a.cpp.o: ", steps)
 
 
 unittest.main()
