@@ -46,7 +46,7 @@ def build_editable(wheel_directory, config_settings=None, metadata_directory=Non
 
 def build_sdist(sdist_directory, config_settings=None):
     """Packs the sources that git knows; returns the archive's name."""
-    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True)
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, encoding="utf-8")
     if listed.returncode != 0:
         raise BuildFailed(f"a source archive is made in a clone of the repository: {listed.stderr.strip()}")
     archive = f"{NAME}.tar.gz"
@@ -64,8 +64,8 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
     """Writes what the package says of itself, without building it."""
     info = pathlib.Path(metadata_directory, f"{NAME}.dist-info")
     info.mkdir()
-    (info / "METADATA").write_text(metadata())
-    (info / "WHEEL").write_text(WHEEL)
+    (info / "METADATA").write_text(metadata(), encoding="utf-8")
+    (info / "WHEEL").write_text(WHEEL, encoding="utf-8")
     return info.name
 
 
@@ -93,14 +93,14 @@ def fits(build):
     cache = build / "CMakeCache.txt"
     if not cache.is_file():
         return False
-    entries = dict(line.split("=", 1) for line in cache.read_text().splitlines() if "=" in line)
+    entries = dict(line.split("=", 1) for line in cache.read_text(encoding="utf-8").splitlines() if "=" in line)
     python = entries.get("OVERBEND_PYTHON:FILEPATH", "")
     if entries.get("CMAKE_HOME_DIRECTORY:INTERNAL") != str(ROOT) or not os.access(python, os.X_OK):
         return False
     if entries.get("OVERBEND_PYTHON_MODULE:BOOL") != "ON" or entries.get("CMAKE_BUILD_TYPE:STRING") != "Release":
         return False
     suffix = "import sysconfig; print(sysconfig.get_config_var('EXT_SUFFIX'))"
-    told = subprocess.run([python, "-c", suffix], capture_output=True, text=True)
+    told = subprocess.run([python, "-c", suffix], capture_output=True, encoding="utf-8")
     return told.stdout.strip() == sysconfig.get_config_var("EXT_SUFFIX")
 
 

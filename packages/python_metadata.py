@@ -36,12 +36,12 @@ Description-Content-Type: text/markdown
 
 def version() -> str:
     """The project's version, as CMake has it."""
-    return re.search(r"project\(overbend VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
+    return re.search(r"project\(overbend VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)
 
 
 def metadata() -> str:
     """The text of METADATA."""
-    return HEAD.format(version=version()) + (ROOT / "README.md").read_text()
+    return HEAD.format(version=version()) + (ROOT / "README.md").read_text(encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ import sys
 
 def numbers(path):
     by_name = {}
-    for line in pathlib.Path(path).read_text().splitlines():
+    for line in pathlib.Path(path).read_text(encoding="utf-8").splitlines():
         name, number = line.split()
         by_name.setdefault(name, []).append(float(number))
     return by_name

@@ -38,13 +38,13 @@ def changed(text, pattern, replacement):
 
 def model(example, sea, duration, folder):
     """The example in this sea, with the files it names where they are."""
-    text = (ROOT / "examples" / f"{example}.yaml").read_text()
+    text = (ROOT / "examples" / f"{example}.yaml").read_text(encoding="utf-8")
     text = changed(text, r"^(  waves: \{type: jonswap, )[^}]*\}", rf"\g<1>{sea}, seed: 1}}")
     text = changed(text, r"^(  dynamic: )\{[^}]*\}", rf"\g<1>{{duration: {duration:g} s, build_up: {BUILD_UP} s}}")
     text = re.sub(r"\.\./data/", f"{ROOT}/data/", text)
     folder.mkdir(parents=True, exist_ok=True)
     file = folder / "model.yaml"
-    file.write_text(text)
+    file.write_text(text, encoding="utf-8")
     return file
 
 
@@ -53,7 +53,7 @@ def summary(program, example, sea, duration, folder):
     if not (out / "summary.json").exists():
         file = model(example, sea, duration, folder)
         subprocess.run([program, "dynamic", str(file), "--restart", "-o", str(out)], check=True, stdout=subprocess.DEVNULL)
-    return json.loads((out / "summary.json").read_text())
+    return json.loads((out / "summary.json").read_text(encoding="utf-8"))
 
 
 def span(spread, factor=1.0, digits=1):
@@ -175,7 +175,7 @@ def main():
             if more:
                 text += "\n" + more
         PAGE.write_text(HEAD.format(duration=options.duration, build_up=BUILD_UP, cycles=options.duration / 77.0,
-                                    tensioner=tensioner) + text)
+                                    tensioner=tensioner) + text, encoding="utf-8")
     print(f"The page is {PAGE}")
 
 

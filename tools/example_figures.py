@@ -99,7 +99,7 @@ ALONE = """<script>
 
 def chromium(words, folder):
     command = ["chromium", *FLAGS, f"--user-data-dir={folder}/profile", *words]
-    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=True).stdout
+    return subprocess.run(command, capture_output=True, encoding="utf-8", timeout=120, check=True).stdout
 
 
 def photographed(page, picture, folder, height=None):

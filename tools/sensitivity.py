@@ -130,7 +130,7 @@ def run(program, kind, text, folder):
     model = folder / "model.yaml"
     model.write_text(text.replace("../data/bgl1/rao.csv", str(ROOT / "data" / "bgl1" / "rao.csv")), encoding="utf-8")
     words = ["--duration", DURATION] if kind == "dynamic" else []
-    done = subprocess.run([program, kind, model, *words, "-o", folder / "out"], capture_output=True, text=True, timeout=300)
+    done = subprocess.run([program, kind, model, *words, "-o", folder / "out"], capture_output=True, encoding="utf-8", timeout=300)
     if done.returncode == 3 and "no equilibrium found" in done.stderr:
         return None
     if done.returncode != 0:

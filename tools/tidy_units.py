@@ -56,20 +56,20 @@ def unit_command(paths, chosen, directory):
     if len(paths) > 1:
         unit = directory / f"{paths[0].parent.name}_{paths[0].stem}_and_{len(paths) - 1}_more.cpp"
         lines = [f'#include "{path}"  // NOLINT(bugprone-suspicious-include)\n' for path in paths]
-        unit.write_text("".join(lines))
+        unit.write_text("".join(lines), encoding="utf-8")
         command["command"] = command["command"].replace(str(paths[0]), str(unit))
         command["file"] = str(unit)
     return command
 
 
 def main():
-    commands = json.loads(pathlib.Path(sys.argv[1]).read_text())
+    commands = json.loads(pathlib.Path(sys.argv[1]).read_text(encoding="utf-8"))
     directory = pathlib.Path(sys.argv[2])
     chosen = sources(commands, sys.argv[3:])
     if not chosen:
         sys.exit("tools/tidy_units.py: no source matches")
     result = [unit_command(paths, chosen, directory) for paths in groups(chosen)]
-    (directory / "compile_commands.json").write_text(json.dumps(result))
+    (directory / "compile_commands.json").write_text(json.dumps(result), encoding="utf-8")
     print(f"linting {len(chosen)} sources in {len(result)} units")
 
 

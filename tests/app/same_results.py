@@ -24,7 +24,7 @@ def unmeasured(value):
     return [unmeasured(inner) for inner in value] if isinstance(value, list) else value
 
 
-summaries = [unmeasured(json.loads((folder / "summary.json").read_text())) for folder in (one, two)]
+summaries = [unmeasured(json.loads((folder / "summary.json").read_text(encoding="utf-8"))) for folder in (one, two)]
 for part in summaries[0].keys() | summaries[1].keys():
     if summaries[0].get(part) != summaries[1].get(part):
         offences.append(f"summary.json: {part}")

@@ -21,7 +21,7 @@ PYTHON = "usr/lib/python3/dist-packages"
 
 def said(*words, **more):
     """What a program prints; its failure is that of the test."""
-    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, **more)
+    done = subprocess.run([str(word) for word in words], capture_output=True, encoding="utf-8", **more)
     if done.returncode != 0:
         raise AssertionError(f"{words}: exit code {done.returncode}\n{done.stdout}\n{done.stderr}")
     return done.stdout
@@ -83,7 +83,7 @@ class DebianPackages(unittest.TestCase):
         self.assertEqual(pathlib.Path(found), model)
         with tempfile.TemporaryDirectory() as out:
             told = said(self.root / "usr/bin/overbend", "static", model, "-o", out)
-            summary = pathlib.Path(out, "summary.json").read_text()
+            summary = pathlib.Path(out, "summary.json").read_text(encoding="utf-8")
         self.assertIn(f"\"lay_back\": {float(lay_back)}", summary, told)
 
     def test_they_need_the_packages_of_their_libraries(self):
@@ -108,15 +108,15 @@ class DebianPackages(unittest.TestCase):
 
     def test_manual_page_completions_documents_and_licences_are_in_their_places(self):
         share = self.root / "usr/share"
-        self.assertIn(".TH OVERBEND", gzip.open(share / "man/man1/overbend.1.gz", "rt").read())
+        self.assertIn(".TH OVERBEND", gzip.open(share / "man/man1/overbend.1.gz", "rt", encoding="utf-8").read())
         for name in ("bash-completion/completions/overbend", "zsh/site-functions/_overbend",
                      "doc/overbend/docs/input.md", "doc/overbend/docs/guide/README.md",
                      "doc/overbend/examples/bgl1.yaml"):
             self.assertTrue((share / name).is_file(), name)
         for package in self.packages:
-            self.assertIn("MIT", (share / "doc" / package / "copyright").read_text())
+            self.assertIn("MIT", (share / "doc" / package / "copyright").read_text(encoding="utf-8"))
             told = said("dpkg-parsechangelog", "--show-field", "Version", "-l-",
-                        input=gzip.open(share / "doc" / package / "changelog.gz", "rt").read())
+                        input=gzip.open(share / "doc" / package / "changelog.gz", "rt", encoding="utf-8").read())
             self.assertEqual(told.strip(), self.field(package, "Version"))
 
     def test_files_are_roots_and_nobody_else_may_write_them(self):
@@ -144,7 +144,7 @@ class DebianPackages(unittest.TestCase):
             for script, tool in (("postinst", "py3compile"), ("prerm", "py3clean")):
                 file = pathlib.Path(control, script)
                 said("sh", "-n", file)
-                self.assertIn(f"{tool} -p python3-overbend", file.read_text())
+                self.assertIn(f"{tool} -p python3-overbend", file.read_text(encoding="utf-8"))
                 self.assertEqual(file.stat().st_mode & 0o777, 0o755)
             self.assertTrue(pathlib.Path(control, "md5sums").is_file())
 

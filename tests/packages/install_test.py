@@ -24,7 +24,7 @@ from python_folder import folder_below  # noqa: E402
 
 def said(*words, **more):
     """What a program prints; its failure is that of the test."""
-    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, **more)
+    done = subprocess.run([str(word) for word in words], capture_output=True, encoding="utf-8", **more)
     if done.returncode != 0:
         raise AssertionError(f"{words}: exit code {done.returncode}\n{done.stdout}\n{done.stderr}")
     return done.stdout
@@ -48,15 +48,15 @@ class Installed(unittest.TestCase):
     def test_shells_find_the_completions(self):
         for name, mark in (("bash-completion/completions/overbend", "complete -F _overbend"),
                            ("zsh/site-functions/_overbend", "#compdef overbend")):
-            self.assertIn(mark, (self.prefix / "share" / name).read_text())
+            self.assertIn(mark, (self.prefix / "share" / name).read_text(encoding="utf-8"))
 
     def test_man_finds_the_manual_page(self):
-        self.assertIn(".TH OVERBEND", gzip.open(self.prefix / "share/man/man1/overbend.1.gz", "rt").read())
+        self.assertIn(".TH OVERBEND", gzip.open(self.prefix / "share/man/man1/overbend.1.gz", "rt", encoding="utf-8").read())
 
     def test_links_of_the_documents_lead_to_what_is_installed(self):
         dead = []
         for page in self.documents.rglob("*.md"):
-            prose = re.sub(r"^```.*?^```", "", page.read_text(), flags=re.M | re.S)
+            prose = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
             for target in re.findall(r"\]\(([^)#\s]+)", prose):
                 here = (page.parent / target).resolve()
                 of_the_sources = here == self.documents.resolve() / "validation" / "README.md"
@@ -70,7 +70,7 @@ class Installed(unittest.TestCase):
             said(self.prefix / "bin" / "overbend", "check", self.documents / "examples" / name)
 
     def test_licences_of_what_is_compiled_in_are_there(self):
-        text = (self.documents / "copyright").read_text()
+        text = (self.documents / "copyright").read_text(encoding="utf-8")
         for name in ("Overbend developers", "Eigen", "CLI11", "pybind11", "d3 "):
             self.assertIn(name, text)
 

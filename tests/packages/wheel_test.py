@@ -31,7 +31,7 @@ CLOSED = {"PATH": os.environ["PATH"], "HOME": "/nonexistent", "PIP_CONFIG_FILE":
 
 
 def run(*words, env=CLOSED, cwd="/"):
-    return subprocess.run([str(word) for word in words], capture_output=True, text=True, env=env, cwd=cwd)
+    return subprocess.run([str(word) for word in words], capture_output=True, encoding="utf-8", env=env, cwd=cwd)
 
 
 class Wheel(unittest.TestCase):
@@ -71,7 +71,7 @@ class Wheel(unittest.TestCase):
         lay_back = self.said(f"import overbend; print(float(overbend.Model.read('{model}').static().lay_back))")
         with tempfile.TemporaryDirectory() as out:
             self.check(run(BUILD / "overbend", "static", model, "-o", out))
-            self.assertIn(f"\"lay_back\": {lay_back}", pathlib.Path(out, "summary.json").read_text())
+            self.assertIn(f"\"lay_back\": {lay_back}", pathlib.Path(out, "summary.json").read_text(encoding="utf-8"))
 
     def test_pip_knows_version_needs_and_licence(self):
         told = self.check(run(self.python, "-m", "pip", "show", "overbend"))
@@ -143,7 +143,7 @@ class BackEnd(unittest.TestCase):
                    "OVERBEND_PYTHON_MODULE:BOOL": "ON", "CMAKE_BUILD_TYPE:STRING": "Release"}
         entries.update({name.replace("__", ":"): value for name, value in changes.items()})
         text = "// a comment\n" + "".join(f"{name}={value}\n" for name, value in entries.items())
-        (self.folder / "CMakeCache.txt").write_text(text)
+        (self.folder / "CMakeCache.txt").write_text(text, encoding="utf-8")
         return self.folder
 
     def test_a_build_of_these_sources_for_this_python_is_used_again(self):
@@ -155,7 +155,7 @@ class BackEnd(unittest.TestCase):
         self.assertFalse(build_backend.fits(self.cache(OVERBEND_PYTHON_MODULE__BOOL="OFF")))
         self.assertFalse(build_backend.fits(self.cache(CMAKE_BUILD_TYPE__STRING="Debug")))
         other = self.folder / "python"
-        other.write_text("#!/bin/sh\necho .cpython-399-other.so\n")
+        other.write_text("#!/bin/sh\necho .cpython-399-other.so\n", encoding="utf-8")
         other.chmod(0o755)
         self.assertFalse(build_backend.fits(self.cache(OVERBEND_PYTHON__FILEPATH=str(other))))
         self.assertFalse(build_backend.fits(self.cache(OVERBEND_PYTHON__FILEPATH="/nowhere/python3")))
@@ -185,9 +185,9 @@ class BackEnd(unittest.TestCase):
 
     def test_metadata_has_version_and_readme(self):
         name = build_backend.prepare_metadata_for_build_wheel(self.folder)
-        text = (self.folder / name / "METADATA").read_text()
+        text = (self.folder / name / "METADATA").read_text(encoding="utf-8")
         self.assertIn(f"Version: {build_backend.version()}\n", text)
-        self.assertTrue(text.endswith((ROOT / "README.md").read_text()))
+        self.assertTrue(text.endswith((ROOT / "README.md").read_text(encoding="utf-8")))
 
 
 if __name__ == "__main__":

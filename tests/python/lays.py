@@ -19,7 +19,7 @@ def small_lay():
 
 def overbend(*arguments, code=0):
     """Runs the command line; its output."""
-    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, encoding="utf-8")
     if done.returncode != code:
         raise AssertionError(f"{arguments}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
     return done.stdout

@@ -29,7 +29,7 @@ class Arguments(unittest.TestCase):
 
     def every_call(self, of, least):
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([sys.executable, SCRIPT, of], capture_output=True, text=True, cwd=folder,
+            done = subprocess.run([sys.executable, SCRIPT, of], capture_output=True, encoding="utf-8", cwd=folder,
                                   env={**os.environ, "PYTHONWARNINGS": "ignore"}, check=False)
         lines = done.stdout.splitlines()
         self.assertEqual(done.returncode, 0, (lines[-1:], done.stderr[-2000:]))

@@ -141,7 +141,7 @@ class Dynamics(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             place = pathlib.Path(folder, "run")
             process = subprocess.Popen([sys.executable, "-c", INTERRUPTED, str(WAVES), str(place)],
-                                       stdout=subprocess.PIPE, text=True)
+                                       stdout=subprocess.PIPE, encoding="utf-8")
             at = -100.0
             while at < -58.0:  # the build-up begins at -60 s
                 at = float(process.stdout.readline())

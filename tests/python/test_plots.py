@@ -263,7 +263,7 @@ class Units(unittest.TestCase):
         code = ("import sys; sys.modules['matplotlib'] = None; import overbend as ob\n"
                 f"static = ob.Model.read({str(EXAMPLES / 'first-model.yaml')!r}).static()\n"
                 "try: static.plot.tension()\nexcept ImportError as fault: print(fault)")
-        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", check=True)
         self.assertIn("python3-matplotlib", done.stdout)
 
 

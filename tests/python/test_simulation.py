@@ -159,7 +159,7 @@ class Steps(unittest.TestCase):
         self.assertEqual(faults, ["the simulation is at work in another thread"])
 
     def test_ctrl_c_ends_an_advance_between_two_steps(self):
-        child = subprocess.Popen([sys.executable, "-c", INTERRUPTED, str(WAVES)], stdout=subprocess.PIPE, text=True)
+        child = subprocess.Popen([sys.executable, "-c", INTERRUPTED, str(WAVES)], stdout=subprocess.PIPE, encoding="utf-8")
         self.assertEqual(child.stdout.readline(), "begun\n")
         threading.Event().wait(0.5)
         child.send_signal(signal.SIGINT)

@@ -48,7 +48,7 @@ class Types(unittest.TestCase):
     def mypy(self, *arguments):
         environment = {**os.environ, "MYPYPATH": str(PACKAGES)}
         return subprocess.run(["mypy", "--config-file", str(ROOT / "python" / "mypy.ini"), "--cache-dir",
-                               str(self.folder / "cache"), *arguments], capture_output=True, text=True, env=environment,
+                               str(self.folder / "cache"), *arguments], capture_output=True, encoding="utf-8", env=environment,
                               cwd=self.folder, check=False)
 
     def script(self, text):
@@ -72,7 +72,7 @@ class Types(unittest.TestCase):
 
     def test_the_types_of_the_extension_module_are_up_to_date(self):
         done = subprocess.run([sys.executable, str(ROOT / "tools" / "python_stubs.py"), "--check"], capture_output=True,
-                              text=True, check=False)
+                              encoding="utf-8", check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_the_package_says_that_it_is_typed(self):

@@ -25,7 +25,7 @@ def run_on(files):
             path = pathlib.Path(folder, "src", "overbend", name)
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text("\n".join(lines) + "\n", encoding="utf-8")
-        run = subprocess.run([sys.executable, str(TOOL), folder], capture_output=True, text=True, check=False)
+        run = subprocess.run([sys.executable, str(TOOL), folder], capture_output=True, encoding="utf-8", check=False)
         return run.returncode, run.stdout
 
 

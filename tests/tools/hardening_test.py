@@ -8,7 +8,7 @@ import sys
 
 
 def listed(*words):
-    return subprocess.run(["readelf", "--wide", *words, sys.argv[1]], check=True, capture_output=True, text=True).stdout
+    return subprocess.run(["readelf", "--wide", *words, sys.argv[1]], check=True, capture_output=True, encoding="utf-8").stdout
 
 
 def main():
