@@ -17,7 +17,8 @@ test_packages=(
   python3 python3-h5py python3-jsonschema
   python3-xarray python3-matplotlib python3-nbclient python3-nbformat python3-ipykernel mypy
   python3-pip python3-setuptools python3-venv dpkg-dev file
-  chromium clang-format clang-tidy
+  chromium fontconfig fonts-dejavu-core fonts-liberation2
+  clang-format clang-tidy
 )
 arm_packages=(g++-aarch64-linux-gnu qemu-user libeigen3-dev)
 

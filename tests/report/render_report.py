@@ -18,6 +18,8 @@ import subprocess
 import sys
 import tempfile
 
+from fonts import environment
+
 FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync", "--enable-logging=stderr",
@@ -28,7 +30,7 @@ def rendered(page, profile):
     """The page's document after its scripts have run, and what they complained about."""
     done = subprocess.run(
         ["chromium", *FLAGS, f"--user-data-dir={profile}", "--virtual-time-budget=5000", "--dump-dom", page.as_uri()],
-        capture_output=True, text=True, timeout=120, check=True)
+        capture_output=True, encoding="utf-8", timeout=120, check=True, env=environment())
     return done.stdout, [line for line in done.stderr.splitlines() if "CONSOLE" in line]
 
 

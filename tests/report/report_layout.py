@@ -5,6 +5,9 @@
     report_layout.py --made-by PROGRAM [WORD ...]
     report_layout.py --lay-table PROGRAM MODEL.yaml
 
+With --fonts liberation before that in letters as wide as Arial's, if the machine has them; else in DejaVu, which is wider:
+see tests/fonts.
+
 On screens: nothing makes the page wider than the window, no table is cut where there is room for a desk's screen, no two
 names of boxes cover each other, no number of an axis is cut, names of levels stand on their line, and the axis of a tension does not begin at zero.
 On paper: the first page stands alone, what is read as a whole is not split, no page but the last is nearly empty.
@@ -18,8 +21,10 @@ import sys
 import tempfile
 import zlib
 
+from fonts import environment, installed
 from render_report import FLAGS, written_page
 
+SKIPPED = 77  # as tests/CMakeLists.txt knows it
 WIDTHS = (1920, 1280, 390)
 DESK = 1200  # from here on tables have their room
 
@@ -93,29 +98,29 @@ document.querySelectorAll('.table:has(table.checks), .table:has(table.plain), .t
 """
 
 
-def chromium(words, profile):
+def chromium(words, profile, fonts):
     done = subprocess.run(["chromium", *FLAGS, f"--user-data-dir={profile}", "--virtual-time-budget=8000", *words],
-                          capture_output=True, text=True, timeout=180, check=True)
+                          capture_output=True, encoding="utf-8", timeout=180, check=True, env=environment(fonts))
     return done.stdout
 
 
 def with_script(page, script, name):
     copy = page.with_name(name)
-    text = page.read_text()
+    text = page.read_text(encoding="utf-8")
     cut = text.rindex("</body>")
-    copy.write_text(text[:cut] + f"<script>{script}</script>\n" + text[cut:])
+    copy.write_text(text[:cut] + f"<script>{script}</script>\n" + text[cut:], encoding="utf-8")
     return copy
 
 
-def faults_on_screens(page, profile):
+def faults_on_screens(page, profile, fonts):
     """A frame of each width holds the page and tells what it saw."""
     look = with_script(page, f"parent.postMessage({{wide: window.innerWidth, faults: {LOOK.strip()}}}, '*');", "look.html")
     frames = "".join(f'<iframe src="{look.as_uri()}" style="width:{w}px;height:900px;border:0"></iframe>' for w in WIDTHS)
     outer = page.with_name("frames.html")
     outer.write_text("<body><pre id=told></pre><script>const all = [];"
                      "onmessage = (e) => { all.push(e.data); told.textContent = JSON.stringify(all); };"
-                     f"</script>{frames}</body>")
-    document = chromium(["--dump-dom", outer.as_uri()], profile)
+                     f"</script>{frames}</body>", encoding="utf-8")
+    document = chromium(["--dump-dom", outer.as_uri()], profile, fonts)
     told = re.search(r'<pre id="told">(.*?)</pre>', document, flags=re.S)[1]
     seen = json.loads(told.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&") or "[]")
     if sorted(one["wide"] for one in seen) != sorted(WIDTHS):
@@ -146,15 +151,15 @@ class Printed:
         return found
 
 
-def faults_on_paper(page, profile):
+def faults_on_paper(page, profile, fonts):
     pdf = page.with_name("page.pdf")
     marked = with_script(page, MARK, "marked.html")
-    chromium(["--no-pdf-header-footer", f"--print-to-pdf={pdf}", marked.as_uri()], profile)
+    chromium(["--no-pdf-header-footer", f"--print-to-pdf={pdf}", marked.as_uri()], profile, fonts)
     printed = Printed(pdf.read_bytes())
     aims = printed.aims()
     ends = sorted(int(name[6:]) for name in aims if name.startswith("first-"))
     # a study and a lay table are mostly charts and long tables
-    least = 1 if re.search(" - (study|lay table)</title>", page.read_text()) else 4
+    least = 1 if re.search(" - (study|lay table)</title>", page.read_text(encoding="utf-8")) else 4
     if len(ends) < least:
         yield f"only {len(ends)} things to be kept whole were found on paper"
     for i in ends:
@@ -171,9 +176,15 @@ def faults_on_paper(page, profile):
 
 
 def main():
+    words, fonts = sys.argv[1:], "dejavu"
+    if words[0] == "--fonts":
+        fonts, words = words[1], words[2:]
+        if not installed(fonts):
+            print(f"skipped: this machine has no {fonts} fonts (scripts/install.sh test)")
+            sys.exit(SKIPPED)
     with tempfile.TemporaryDirectory() as folder:
-        page = written_page(sys.argv[1:], folder)
-        faults = list(faults_on_screens(page, folder + "/profile")) + list(faults_on_paper(page, folder + "/profile"))
+        page, profile = written_page(words, folder), folder + "/profile"
+        faults = [*faults_on_screens(page, profile, fonts), *faults_on_paper(page, profile, fonts)]
     for fault in faults[:25]:
         print(fault)
     sys.exit(1 if faults else 0)

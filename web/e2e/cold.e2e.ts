@@ -26,7 +26,7 @@ beforeAll(async () => {
   await solved(page);
   // the view is asked for by hand, with everything there: what cold starts are compared with
   await page.click('.viewbuttons >> text=overbend');
-  await page.waitForTimeout(600);
+  await settled(page);
   await page.click('.viewbuttons >> text=whole');
   usual = await settled(page);
 });
@@ -35,8 +35,7 @@ afterAll(async () => { await bench?.stop(); });
 test('hull, sky, water, seabed and pipe have many colours, another view is another picture', async () => {
   expect(await colours(page, usual)).toBeGreaterThan(8);
   await page.click('.viewbuttons >> text=stinger');
-  await page.waitForTimeout(600);
-  expect(await difference(page, await settled(page), usual)).toBeGreaterThan(8);
+  await expect.poll(async () => difference(page, await settled(page), usual)).toBeGreaterThan(8);
 });
 
 test('a solution that comes again leaves the picture sharp where it is, another view is flown to', async () => {

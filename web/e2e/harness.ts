@@ -1,6 +1,6 @@
 // Starts the real program on a folder of its own and opens its page in a browser.
 // OVERBEND_PROGRAM: the program. OVERBEND_ROOT: where examples/ and data/ lie. OVERBEND_PREVIEW=1: takes the page from web/dist instead of from within the program.
-import { spawn, type ChildProcess } from 'node:child_process';
+import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
@@ -40,8 +40,19 @@ function started(child: ChildProcess): Promise<string> {
   });
 }
 
+/** The fonts that the browser sees, not those that the machine happens to have: see tests/fonts. */
+export type Fonts = 'dejavu' | 'liberation';
+const families: Record<Fonts, string> = { dejavu: 'DejaVu Sans', liberation: 'Liberation Sans' };
+function fontEnvironment(fonts: Fonts): Record<string, string> {
+  return { ...process.env, FONTCONFIG_FILE: join(root, 'tests', 'fonts', `${fonts}.conf`) } as Record<string, string>;
+}
+export function installed(fonts: Fonts): boolean {
+  return execFileSync('fc-match', ['sans', 'family'], { env: fontEnvironment(fonts), encoding: 'utf8' }).includes(families[fonts]);
+}
+
 /** `edit`: what is written otherwise in the model before it is opened. */
-export async function start(model?: string, edit: Record<string, string> = {}): Promise<Bench> {
+export async function start(model?: string, edit: Record<string, string> = {}, fonts: Fonts = 'dejavu'): Promise<Bench> {
+  if (!installed(fonts)) throw new Error(`${families[fonts]} is not installed: scripts/install.sh test`);
   const outer = mkdtempSync(join(tmpdir(), 'overbend-page-'));
   const folder = join(outer, 'models');
   cpSync(join(root, 'examples'), folder, { recursive: true });
@@ -58,7 +69,7 @@ export async function start(model?: string, edit: Record<string, string> = {}): 
     const where = server.httpServer.address();
     address = `http://127.0.0.1:${typeof where === 'object' && where ? where.port : 0}/${own.search}`;
   }
-  const browser: Browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
+  const browser: Browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'], env: fontEnvironment(fonts) });
   const complaints: string[] = [];
   const token = own.searchParams.get('token')!;
   return {
