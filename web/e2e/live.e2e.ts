@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { reading, solved, start, type Bench } from './harness';
+import { reading, rested, solved, start, type Bench } from './harness';
 
 let bench: Bench;
 let page: Page;
@@ -75,7 +75,8 @@ test('a case without solution says why and keeps the last good one', async () =>
 test('stinger radius and box height move rollers, and are written into the model', async () => {
   await drag('#s-radius', 170);
   await drag('[id="s-stinger 3"]', 0.1);
-  await page.waitForTimeout(500);
+  await expect.poll(() => page.locator('[aria-label="stinger radius, typed"]').inputValue()).toBe('170 m');
+  await solved(page);
   await page.click('text=Apply to model');
   await page.waitForSelector('.notice.good');
   const { text } = await (await bench.api('model')).json() as { text: string };
@@ -95,7 +96,7 @@ test('pictures of all views', async () => {
 
 test('a roller is picked and says what it carries', async () => {
   await page.click('.viewbuttons >> text=stinger');
-  await page.waitForTimeout(1200);
+  await rested(page);
   // where the first stinger roller that carries is drawn
   const spot = await page.evaluate(() => {
     interface Point { clone(): Point; project(c: unknown): { x: number; y: number } }

@@ -76,9 +76,8 @@ test('an abandonment shows head and cable apart from the pipe, at three sizes', 
   for (const [name, width, height] of [['large', 1920, 1080], ['middle', 1280, 720], ['small', 390, 780]] as const) {
     await page.setViewportSize({ width, height });
     if (name === 'small') await page.click('.panes >> text=Model');
-    await page.waitForTimeout(300);
+    await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
     await bench.shot(page, `operation-${name}`);
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
   }
   await page.click('.panes >> text=Picture');
   await page.waitForTimeout(300);

@@ -146,8 +146,9 @@ test('what is typed while a save is on its way stays, unsaved, and goes into the
   await page.click('text=YAML');
   await page.waitForSelector('.cm-content');
   await page.route('**/api/model/save', async (route) => { const answer = await route.fetch(); await new Promise((done) => setTimeout(done, 1500)); await route.fulfill({ response: answer }); });
+  const sent = page.waitForRequest('**/api/model/save');
   await page.keyboard.press('Control+s');
-  await page.waitForTimeout(300);
+  await sent;
   await page.locator('.cm-content').focus();
   await page.keyboard.press('Control+End');
   await page.keyboard.type('# typed meanwhile');

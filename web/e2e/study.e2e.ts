@@ -76,9 +76,7 @@ test('modes of the tensioner are compared, with a page to keep', async () => {
   for (const [name, width, height] of [['large', 1920, 1080], ['usual', 1280, 720], ['phone', 390, 844]] as const) {
     await page.setViewportSize({ width, height });
     if (width < 1100) await page.click('.panes >> text=Results');
-    await page.waitForTimeout(300);
-    const wide = await pane().evaluate((el) => el.scrollWidth - el.clientWidth);
-    expect(wide, `the table fits on ${name}`).toBeLessThanOrEqual(1);
+    await expect.poll(() => pane().evaluate((el) => el.scrollWidth - el.clientWidth), { message: `the table fits on ${name}` }).toBeLessThanOrEqual(1);
     await bench.shot(page, `study-comparison-${name}`);
   }
   await page.setViewportSize({ width: 1280, height: 720 });
