@@ -50,7 +50,7 @@ class Rows : public SystemObserver {
 };
 
 struct WinchCase {
-  explicit WinchCase(const Description& d) : rest(d), sea(make_sea(d.environment.waves, kDepth, 1000.0, 1)) {
+  explicit WinchCase(const Description& d) : rest(d), sea(make_sea(d.environment.waves, kDepth, 1)) {
     system = rest.setup.system;
   }
   Attachment& fairlead() { return system.attachments.at(1); }

@@ -174,7 +174,7 @@ TEST(lines_in_time, with_points_and_waves_keep_their_energy_to_second_order) {
   const auto drift = [&](double h) {
     DynamicOptions options = options_for(4.0, 9.0);
     options.fixed_step = h;
-    const Sea sea = make_sea(rest.model.description.environment.waves, 100.0, 20.0, 1);
+    const Sea sea = make_sea(rest.model.description.environment.waves, 100.0, 1);
     const System& system = rest.setup.system;
     SystemRun run(system, moving_ends(rest.model, make_vessel_motion(rest.model, sea), 9.0), sea,
                   resting_lines(system, rest.state, rest.rest, -9.0), options);
@@ -298,7 +298,7 @@ TEST(lines_in_time, whose_buoyancy_lifts_them_into_the_waves_swing_as_with_a_fin
 
 TEST(lines_in_time, allocate_nothing_in_a_step) {
   testing::RestingLines rest(busy_line());
-  const Sea sea = make_sea(rest.model.description.environment.waves, 100.0, 20.0, 1);
+  const Sea sea = make_sea(rest.model.description.environment.waves, 100.0, 1);
   const System& system = rest.setup.system;
   SystemRun run(system, moving_ends(rest.model, make_vessel_motion(rest.model, sea), 9.0), sea,
                 resting_lines(system, rest.state, rest.rest, -9.0), options_for(4.0, 9.0));

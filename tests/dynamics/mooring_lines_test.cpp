@@ -79,7 +79,7 @@ TEST(mooring_lines, let_the_barge_start_at_rest_under_the_mean_drift_of_its_sea)
   EXPECT_LT(drifted.acc.head<3>().norm(), 1e-6 * kGravity);
   EXPECT_LT(drifted.acc.tail<3>().norm(), 1e-7);
   // 217.8 kN from the beam shift the barge on lines that balance the pipe by 1.184 m; these few components have less.
-  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, 0.0, d.environment.waves.seed);
+  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, d.environment.waves.seed);
   const CoupledHullDescription& hull = *d.vessel.coupled;
   const double drift = mean_drift(make_hull_waves(*hull.data, sea, hull.wave_drift, d.vessel.draught, 0.0), 0.0)(1);
   const double expected = 1.184 * drift / 217.8e3;

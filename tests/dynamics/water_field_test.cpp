@@ -35,7 +35,7 @@ Sea storm() {
   waves.hs = 4.0;
   waves.tp = 12.9;
   waves.components = 60;
-  return make_sea(waves, 89.0, 1000.0, 3);
+  return make_sea(waves, 89.0, 3);
 }
 
 TEST(water_field, agrees_with_the_sums_of_the_waves_within_its_stated_error) {

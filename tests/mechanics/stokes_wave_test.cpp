@@ -123,8 +123,8 @@ WavesDescription description(WaveType type, double height) {
 
 TEST(stokes_wave, a_low_stokes_wave_is_an_airy_wave) {
   const double height = 1e-5;
-  const Sea stokes = make_sea(description(WaveType::stokes5, height), 40.0, 0.0, 1);
-  const Sea airy = make_sea(description(WaveType::airy, height), 40.0, 0.0, 1);
+  const Sea stokes = make_sea(description(WaveType::stokes5, height), 40.0, 1);
+  const Sea airy = make_sea(description(WaveType::airy, height), 40.0, 1);
   for (const Vec3& point : {Vec3(0, 0, -1), Vec3(20, -30, -12), Vec3(70, 10, -38)}) {
     WaterState a, b;
     water_state(stokes, 2.2, {}, {&point, 1}, {&a, 1});
@@ -136,7 +136,7 @@ TEST(stokes_wave, a_low_stokes_wave_is_an_airy_wave) {
 }
 
 TEST(stokes_wave, the_sea_of_a_stokes_wave_stops_at_surface_and_bed_and_builds_up) {
-  const Sea sea = make_sea(description(WaveType::stokes5, 8.0), 40.0, 0.0, 1);
+  const Sea sea = make_sea(description(WaveType::stokes5, 8.0), 40.0, 1);
   const BuildUp b{0.5, 0.02, 0.0};
   const double eta = elevation(sea, 0.0, {}, 0.0, 0.0);
   const std::array<Vec3, 4> points = {Vec3(0, 0, 0.5 * eta), Vec3(0, 0, 20.0), Vec3(0, 0, -40.0), Vec3(0, 0, -99.0)};

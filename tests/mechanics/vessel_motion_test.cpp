@@ -162,7 +162,7 @@ TEST(vessel_motion, waves_from_the_south_reach_a_barge_going_east_from_starboard
   d.environment.waves.period = 12.9;
   d.environment.waves.from = kPi;
   const Model model = build_model(d);
-  const VesselMotionModel motion = make_vessel_motion(model, make_sea(d.environment.waves, 89.0, 100.0, 1));
+  const VesselMotionModel motion = make_vessel_motion(model, make_sea(d.environment.waves, 89.0, 1));
   ASSERT_EQ(motion.terms.size(), 1U);
   const RaoTable::Response beam = d.vessel.raos->at(90.0 * kDegree, 2.0 * kPi / 12.9);
   for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(std::abs(motion.terms[0].amplitude[k]), std::abs(beam[k]), 1e-12);
@@ -234,7 +234,7 @@ TEST(vessel_motion, standard_deviations_in_the_beam_sea_are_those_of_the_data) {
   EXPECT_NEAR(std::sqrt(variance[3]) / kDegree, 3.1, 0.05);
 
   // The same from the motion in time: the terms' sum, and a record of eight hours.
-  const VesselMotionModel motion = make_vessel_motion(build_model(with_raos()), make_sea(waves, 89.0, 28800.0, 3));
+  const VesselMotionModel motion = make_vessel_motion(build_model(with_raos()), make_sea(waves, 89.0, 3));
   std::array<double, 6> of_terms{}, of_record{};
   for (std::size_t i = 0; i < motion.terms.size(); ++i) {
     for (std::size_t k = 0; k < 6; ++k) of_terms[k] += 0.5 * std::norm(motion.terms[i].amplitude[k]);

@@ -64,7 +64,7 @@ inline Sea long_crested(double hs, double tp, double direction, std::uint64_t se
   waves.tp = tp;
   waves.from = 0.5 * std::numbers::pi - direction + std::numbers::pi;
   waves.components = components;
-  return make_sea(waves, 89.0, 0.0, seed);
+  return make_sea(waves, 89.0, seed);
 }
 
 inline Sea regular_sea(double amplitude, double omega, double direction, double phase = 0.0) {

@@ -106,7 +106,7 @@ inline std::vector<LineHistory> run_lines(const Description& description, const 
   RestingLines rest(description);
   const Model& model = rest.model;
   const WavesDescription& waves = model.description.environment.waves;
-  const Sea sea = make_sea(waves, model.description.environment.water_depth, options.duration, options.seed);
+  const Sea sea = make_sea(waves, model.description.environment.water_depth, options.seed);
   System system = std::move(rest.setup.system);
   LineRecorder recorder(system);
   SystemState start = resting_lines(system, rest.state, rest.rest, -options.build_up);

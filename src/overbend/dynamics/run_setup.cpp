@@ -69,8 +69,7 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
                     const DynamicOptions& options) {
   RunSetup setup;
   const Description& d = model.description;
-  setup.sea =
-      make_sea(d.environment.waves, d.environment.water_depth, options.build_up + options.duration, options.seed);
+  setup.sea = make_sea(d.environment.waves, d.environment.water_depth, options.seed);
   if (d.has_pipe) {
     setup.system = pipe_system(model, start, static_tension);
     setup.rollers = setup.system.bodies.front().rollers;

@@ -20,7 +20,7 @@ Vec3 shoe_of(const VesselDescription& vessel) {
 std::optional<PointMotion> shoe_at_start(const Model& model) {
   const Description& d = model.description;
   if (d.dynamics->build_up > 0.0 || d.vessel.motion == VesselMotion::coupled) return std::nullopt;
-  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, 0.0, dynamic_options(model).seed);
+  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, dynamic_options(model).seed);
   return point_motion(vessel_motion(make_vessel_motion(model, sea), 0.0, BuildUp{}), shoe_of(d.vessel));
 }
 
@@ -41,7 +41,7 @@ double speed_at_start(const Model& model) {
 double line_leap_at_start(const Model& model, const DynamicOptions& options) {
   const Description& d = model.description;
   if (options.build_up > 0.0) return 0.0;
-  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, 0.0, options.seed);
+  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, options.seed);
   const RigidMotion vessel = vessel_motion(make_vessel_motion(model, sea), 0.0, BuildUp{});
   double largest = 0.0;
   for (const FreeLineDescription& line : d.lines) {

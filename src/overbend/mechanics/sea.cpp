@@ -1,12 +1,14 @@
 #include "mechanics/sea.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
 
 #include "base/constants.h"
+#include "base/interruption.h"
 #include "base/random.h"
 #include "base/require.h"
 #include "mechanics/wave_spreading.h"
@@ -119,28 +121,25 @@ void set_random(Sea& sea, const WavesDescription& waves, std::uint64_t seed) {
   }
 }
 
-double recurrence_of(const std::vector<WaveComponent>& components, double simulated_time) {
-  double energy = 0.0, moment = 0.0;
-  for (const WaveComponent& c : components) {
-    energy += c.amplitude * c.amplitude;
-    moment += c.amplitude * c.amplitude * c.omega;
-  }
-  const double period = kTurn * energy / moment;
-  double largest = 0.0;
-  // Quarters of a period are fine steps for the envelope, which changes with the groups of waves.
-  const auto steps = static_cast<std::int64_t>(4.0 * simulated_time / period);
-  for (std::int64_t step = 120; step <= steps; ++step) {
-    const double lag = 0.25 * period * static_cast<double>(step);
-    double sum = 0.0, quadrature = 0.0;
-    for (const WaveComponent& c : components) {
-      const double a2 = c.amplitude * c.amplitude;
-      sum += a2 * std::cos(c.omega * lag);
-      quadrature += a2 * std::sin(c.omega * lag);
+/// Squared amplitudes times their phasors at a row of lags, added up.
+struct LagSums {
+  static constexpr int kLags = 512;
+  std::array<double, kLags> real{}, imaginary{};
+
+  /// From `lag` on in steps of `step` [s]. Each phasor is turned from one lag to the next: rounding stays below 1e-12.
+  void add(const WaveComponent& c, double lag, double step) {
+    const double a2 = c.amplitude * c.amplitude;
+    double re = a2 * std::cos(c.omega * lag), im = a2 * std::sin(c.omega * lag);
+    const double turn_re = std::cos(c.omega * step), turn_im = std::sin(c.omega * step);
+    for (std::size_t i = 0; i < kLags; ++i) {
+      real[i] += re;
+      imaginary[i] += im;
+      const double before = re;
+      re = re * turn_re - im * turn_im;
+      im = before * turn_im + im * turn_re;
     }
-    largest = std::max(largest, std::hypot(sum, quadrature) / energy);
   }
-  return largest;
-}
+};
 
 void stokes_state(const StokesWave& wave, double t, const BuildUp& build_up, const Vec3& point, WaterState& out) {
   out.elevation = build_up.value * elevation(wave, t, point.x(), point.y());
@@ -171,7 +170,7 @@ WaveElevation elevation_of(Isa isa) {
 
 }  // namespace
 
-Sea make_sea(const WavesDescription& waves, double depth, double simulated_time, std::uint64_t seed) {
+Sea make_sea(const WavesDescription& waves, double depth, std::uint64_t seed) {
   if (waves.type != WaveType::none && !(depth > 0.0)) throw std::invalid_argument("waves need a water depth");
   Sea sea;
   sea.type = waves.type;
@@ -181,7 +180,6 @@ Sea make_sea(const WavesDescription& waves, double depth, double simulated_time,
     set_regular(sea, waves);
   } else {
     set_random(sea, waves, seed);
-    sea.recurrence = recurrence_of(sea.components, simulated_time);
   }
   fill_table(sea);
   return sea;
@@ -201,6 +199,28 @@ Sea make_sea(std::vector<WaveComponent> components, double depth) {
             [](const WaveComponent& a, const WaveComponent& b) { return a.wave_number < b.wave_number; });
   fill_table(sea);
   return sea;
+}
+
+double recurrence(const Sea& sea, double simulated_time) {
+  double energy = 0.0, moment = 0.0;
+  for (const WaveComponent& c : sea.components) {
+    energy += c.amplitude * c.amplitude;
+    moment += c.amplitude * c.amplitude * c.omega;
+  }
+  // Quarters of a period are fine steps for the envelope, which changes with the groups of waves.
+  const double step = 0.25 * kTurn * energy / moment;
+  double largest = 0.0;
+  const auto last = static_cast<std::int64_t>(simulated_time / step);
+  for (std::int64_t first = 120; first <= last; first += LagSums::kLags) {
+    check_interruption();
+    LagSums sums;
+    for (const WaveComponent& c : sea.components) sums.add(c, step * static_cast<double>(first), step);
+    const auto count = static_cast<std::size_t>(std::min<std::int64_t>(LagSums::kLags, last - first + 1));
+    for (std::size_t i = 0; i < count; ++i) {
+      largest = std::max(largest, std::hypot(sums.real[i], sums.imaginary[i]) / energy);
+    }
+  }
+  return largest;
 }
 
 void water_state(const Sea& sea, double t, const BuildUp& build_up, std::span<const Vec3> points,

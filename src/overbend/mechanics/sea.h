@@ -33,22 +33,22 @@ struct Sea {
   double depth = 0.0;                     ///< Still water depth used by the waves [m].
   std::vector<WaveComponent> components;  ///< By rising wave number; of a Stokes wave its first harmonic alone.
   StokesWave stokes;                      ///< For stokes5.
-  /// How like itself the record is at a later time within the simulated time, 0 to 1: the largest autocorrelation of
-  /// the components beyond 30 mean periods. 1 would be a repetition.
-  double recurrence = 0.0;
-  AlignedDoubles table;  ///< Components and their constants as the kernel reads them.
+  AlignedDoubles table;                   ///< Components and their constants as the kernel reads them.
 
   bool calm() const { return components.empty(); }
 };
 
-/// The sea of a description. `simulated_time` [s] is that for which `recurrence` is judged; it does not touch the
-/// waves, so that a longer run begins like a shorter one. The same seed gives the same sea. Throws
+/// The sea of a description. The same seed gives the same sea, however long it is simulated. Throws
 /// std::invalid_argument for a sea without spectrum or size, std::domain_error for a Stokes wave that does not exist.
-Sea make_sea(const WavesDescription& waves, double depth, double simulated_time, std::uint64_t seed);
+Sea make_sea(const WavesDescription& waves, double depth, std::uint64_t seed);
 
 /// A sea of given linear waves; wave numbers are found from the frequencies, kx and ky turned to their length. The
 /// components are sorted.
 Sea make_sea(std::vector<WaveComponent> components, double depth);
+
+/// How like itself the record of a random sea is at a later time within the simulated time [s], 0 to 1: the largest
+/// autocorrelation of the components beyond 30 mean periods. 1 would be a repetition.
+double recurrence(const Sea& sea, double simulated_time);
 
 struct WaterState {
   Vec3 velocity = Vec3::Zero();      ///< [m/s]

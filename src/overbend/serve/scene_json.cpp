@@ -58,7 +58,7 @@ Json waves(const Model& model, std::uint64_t seed) {
   const Description& d = model.description;
   Sea sea;
   try {
-    sea = make_sea(d.environment.waves, d.environment.water_depth, 0.0, seed);
+    sea = make_sea(d.environment.waves, d.environment.water_depth, seed);
   } catch (const std::logic_error&) {
     return Json::array();  // a dynamic run will report what is wrong; the picture has flat water
   }

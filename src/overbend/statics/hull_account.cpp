@@ -74,8 +74,7 @@ std::optional<HullAccount> hull_account(const Model& model, const MooredState* r
   const Description& d = model.description;
   const std::optional<CoupledHullDescription>& given = d.vessel.coupled;
   if (!given || !given->data || d.vessel.motion != VesselMotion::coupled) return std::nullopt;
-  const double time = d.dynamics ? d.dynamics->duration + d.dynamics->build_up : 0.0;
-  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, time, d.environment.waves.seed);
+  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, d.environment.waves.seed);
   const Mat6 stiffness = station_stiffness(rest, given->centre_of_gravity);
   const MadeHull made = make_hull(model, sea, 0.0, stiffness);
   const HullReport report = hull_report(made, model, sea, stiffness);

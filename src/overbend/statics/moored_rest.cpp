@@ -25,7 +25,7 @@ void solve_lengths(MooredHull& moored, const Eigen::VectorXd& wished, const Tens
 /// The waves whose mean drift acts in statics: those of the model's own seed.
 Sea drifting_sea(const Description& d) {
   if (!d.statics.mean_drift.value_or(false)) return {};
-  return make_sea(d.environment.waves, d.environment.water_depth, 0.0, d.environment.waves.seed);
+  return make_sea(d.environment.waves, d.environment.water_depth, d.environment.waves.seed);
 }
 
 /// Current, wind and drift on the hull turned by a yaw from its drawn heading: about midship, axes D.

@@ -139,7 +139,7 @@ LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const 
   RestOfModel found = rest_of(model);
   if (found.outcome.failure) return found.outcome;
   const EnvironmentDescription& around = model.description.environment;
-  const Sea sea = make_sea(around.waves, around.water_depth, options.build_up + options.duration, options.seed);
+  const Sea sea = make_sea(around.waves, around.water_depth, options.seed);
   System system = std::move(found.setup.system);
   LeadEnds lead = moving_ends(model, make_vessel_motion(model, sea), options.build_up);
   LineRecorder recorder(system);

@@ -154,13 +154,13 @@ void warn_of_sea(const Description& description, DynamicResults& results) {
   const WavesDescription& waves = description.environment.waves;
   if (waves.type == WaveType::none) return;
   const bool few = is_irregular(waves.type) && waves.components < kManyWaves;
-  const double judged = few ? results.build_up + results.duration : 0.0;
-  const Sea sea = make_sea(waves, description.environment.water_depth, judged, results.seed);
-  if (few && sea.recurrence > kAlike) {
+  const Sea sea = make_sea(waves, description.environment.water_depth, results.seed);
+  const double again = few ? recurrence(sea, results.build_up + results.duration) : 0.0;
+  if (again > kAlike) {
     results.warnings.push_back(fmt::format(
         "the sea of {} waves comes back to itself within the run: its autocorrelation rises to {:.2f} again, "
         "where 200 waves in three hours reach 0.2; take more (environment.waves.components)",
-        waves.components, sea.recurrence));
+        waves.components, again));
   }
   if (description.vessel.motion != VesselMotion::raos || !description.vessel.raos) return;
   const std::vector<double>& omegas = description.vessel.raos->omegas;
