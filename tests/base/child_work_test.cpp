@@ -19,7 +19,7 @@ std::string done(const std::function<std::string()>& work, const ChildLimits& li
 std::string fault(const std::function<std::string()>& work, const ChildLimits& limits = {}) {
   try {
     done(work, limits);
-  } catch (const ChildFault& fault) {
+  } catch (const ChildError& fault) {
     return fault.what();
   }
   return "none";

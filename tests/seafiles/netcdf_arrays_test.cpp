@@ -168,6 +168,16 @@ TEST_F(NetcdfFiles, that_are_cut_short_say_which_variable_is_not_whole) {
   }
 }
 
+TEST_F(NetcdfFiles, whose_variables_lie_in_one_place_are_refused) {
+  std::string whole = ClassicWriter(1).file(3);
+  const std::size_t name = whole.find("depth"), begin = name + 8 + 4 + 4 + 8 + 4 + 4;  // rank, dimension, no attributes
+  ASSERT_EQ(refusal(written(whole)), "");
+  whole[begin + 3] = static_cast<char>(whole[begin + 3] - 4);
+  EXPECT_EQ(refusal(written(whole)), "a damaged netCDF file: values of its variables overlap");
+  whole[begin + 3] = 4;
+  EXPECT_EQ(refusal(written(whole)), "a damaged netCDF file: values of its variables overlap");  // with the head
+}
+
 TEST_F(NetcdfFiles, with_changed_bytes_are_read_within_their_bounds) {
   const std::string whole = ClassicWriter(5).file(3);
   std::mt19937 draw(1);
@@ -189,14 +199,14 @@ TEST_F(NetcdfFiles, of_hdf5_are_read) {
   EXPECT_EQ(file.numbers("pieces")->values, std::vector<double>(20, 0.75));
 }
 
-TEST_F(NetcdfFiles, of_hdf5_with_missing_pieces_are_no_zeros) {
+TEST_F(NetcdfFiles, of_hdf5_with_missing_chunks_are_no_zeros) {
   const NetcdfFile file(hdf5_file());
   EXPECT_THROW(
       {
         try {
           file.numbers("gap");
         } catch (const std::runtime_error& fault) {
-          EXPECT_STREQ(fault.what(), "the variable gap, which has 1 of its 4 pieces");
+          EXPECT_STREQ(fault.what(), "the variable gap, which has 1 of its 4 chunks");
           throw;
         }
       },

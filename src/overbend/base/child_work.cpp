@@ -60,7 +60,7 @@ bool is_whole(const std::string& message) {
 }
 
 /// Of a whole message.
-std::string text_of(std::string message) {
+std::string message_text(std::string message) {
   const bool is_fault = message[0] == static_cast<char>(Answer::fault);
   message.erase(0, kHead);
   if (is_fault) throw std::runtime_error(message);
@@ -134,7 +134,7 @@ void write_all(int pipe, const std::string& text) {
 ChildWork::ChildWork(const std::function<std::string()>& work, const ChildLimits& limits)
     : until_(std::chrono::steady_clock::now() + limits.wall_time) {
   int ends[2];
-  if (::pipe(ends) != 0) throw ChildFault("no process can be started: " + std::generic_category().message(errno));
+  if (::pipe(ends) != 0) throw ChildError("no process can be started: " + std::generic_category().message(errno));
   for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
   const std::size_t in_use = memory_in_use();
   const int parent = ::getpid();
@@ -145,7 +145,7 @@ ChildWork::ChildWork(const std::function<std::string()>& work, const ChildLimits
   pipe_ = ends[0];
   if (pid_ > 0) return;
   ::close(pipe_);
-  throw ChildFault("no process can be started: " + std::generic_category().message(why));
+  throw ChildError("no process can be started: " + std::generic_category().message(why));
 }
 
 ChildWork::~ChildWork() {
@@ -167,8 +167,8 @@ int ChildWork::end() {
 void ChildWork::refuse() {
   const int status = end();
   const int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (number == SIGXCPU) throw ChildFault("reading it takes too long");
-  throw ChildFault("reading it ended with signal " + std::to_string(number));
+  if (number == SIGXCPU) throw ChildError("reading it takes too long");
+  throw ChildError("reading it ended with signal " + std::to_string(number));
 }
 
 std::string ChildWork::result() {
@@ -180,7 +180,7 @@ std::string ChildWork::result() {
     const int found = ::poll(&ready, 1, kPatience);
     if (found <= 0) {
       if (std::chrono::steady_clock::now() < until_) continue;
-      throw ChildFault("reading it takes too long");
+      throw ChildError("reading it takes too long");
     }
     const std::size_t before = received_.size();
     received_.resize(before + kPiece);
@@ -190,7 +190,7 @@ std::string ChildWork::result() {
   }
   if (!is_whole(received_)) refuse();
   end();
-  return text_of(std::move(received_));
+  return message_text(std::move(received_));
 }
 
 #else
@@ -201,7 +201,7 @@ ChildWork::ChildWork(const std::function<std::string()>& work, const ChildLimits
 ChildWork::~ChildWork() = default;
 
 std::string ChildWork::result() {
-  return text_of(std::move(received_));
+  return message_text(std::move(received_));
 }
 
 #endif

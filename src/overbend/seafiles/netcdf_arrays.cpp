@@ -14,7 +14,7 @@ namespace overbend {
 namespace {
 
 /// The first bytes; fewer of a shorter file.
-std::string head_of(const std::string& path) {
+std::string read_head(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::array<char, 4> head{};
   if (!file) throw std::runtime_error("no file that can be read");
@@ -22,8 +22,8 @@ std::string head_of(const std::string& path) {
   return {head.data(), static_cast<std::size_t>(file.gcount())};
 }
 
-NetcdfContents contents_of(const std::string& path) {
-  const std::string head = head_of(path);
+NetcdfContents read_contents(const std::string& path) {
+  const std::string head = read_head(path);
   return head.starts_with("CDF") ? read_netcdf_classic(path) : read_netcdf_hdf5(path);
 }
 
@@ -60,7 +60,7 @@ std::vector<std::string> split_words(const std::string& letters, std::size_t len
   return words;
 }
 
-NetcdfFile::NetcdfFile(const std::string& path) : contents_(contents_of(path)) {}
+NetcdfFile::NetcdfFile(const std::string& path) : contents_(read_contents(path)) {}
 
 const NetcdfVariable* NetcdfFile::find(const std::string& name) const {
   const auto found = contents_.find(name);

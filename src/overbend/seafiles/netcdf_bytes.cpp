@@ -83,7 +83,7 @@ bool is_sound(const NetcdfVariable& variable) {
 
 }  // namespace
 
-std::string bytes_of_contents(const NetcdfContents& contents) {
+std::string serialise_contents(const NetcdfContents& contents) {
   Writer out;
   for (const auto& [name, variable] : contents) {
     out.put(name);
@@ -97,7 +97,7 @@ std::string bytes_of_contents(const NetcdfContents& contents) {
   return out.take();
 }
 
-NetcdfContents contents_of_bytes(std::string_view bytes) {
+NetcdfContents parse_contents(std::string_view bytes) {
   Reader in(bytes);
   NetcdfContents contents;
   while (!in.at_end()) {

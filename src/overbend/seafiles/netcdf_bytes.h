@@ -1,4 +1,4 @@
-/// The contents of a netCDF file on their way from one process to another.
+/// Serialised contents of a netCDF file.
 #pragma once
 
 #include <string>
@@ -7,10 +7,9 @@
 
 namespace overbend {
 
-std::string bytes_of_contents(const NetcdfContents& contents);
+std::string serialise_contents(const NetcdfContents& contents);
 
-/// Takes nothing for granted: whoever wrote the bytes read a file that may be damaged. Throws std::runtime_error where
-/// they are no contents.
-NetcdfContents contents_of_bytes(std::string_view bytes);
+/// Checks every length and count: the writer read a file that may be damaged. Throws std::runtime_error.
+NetcdfContents parse_contents(std::string_view bytes);
 
 }  // namespace overbend

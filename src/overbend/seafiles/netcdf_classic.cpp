@@ -35,7 +35,7 @@ enum class Type : std::uint32_t {
   uint64
 };
 
-std::size_t size_of(Type type) {
+std::size_t value_size(Type type) {
   constexpr std::size_t kSizes[] = {1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
   return kSizes[static_cast<std::size_t>(type) - 1];
 }
@@ -68,7 +68,7 @@ double number(Type type, std::string_view bytes) {
 }
 
 std::vector<double> numbers(Type type, std::string_view bytes) {
-  const std::size_t size = size_of(type);
+  const std::size_t size = value_size(type);
   std::vector<double> values;
   values.reserve(bytes.size() / size);
   for (std::size_t i = 0; i + size <= bytes.size(); i += size) values.push_back(number(type, bytes.substr(i, size)));
@@ -94,7 +94,7 @@ struct Head {
   std::vector<Dimension> dimensions;
   std::vector<Described> variables;
 
-  bool of_records(const Described& one) const {
+  bool is_record_variable(const Described& one) const {
     return !one.dimensions.empty() && dimensions[one.dimensions.front()].size == 0;
   }
 };
@@ -114,6 +114,8 @@ class HeadReader {
     each(kVariables, [&] { head_.variables.push_back(variable()); });
     return std::move(head_);
   }
+  /// Bytes behind the head.
+  std::size_t left() const { return rest_.size(); }
 
  private:
   static constexpr std::uint64_t kDimensions = 10, kVariables = 11, kAttributes = 12;
@@ -158,7 +160,7 @@ class HeadReader {
     const Type kind = type();
     const std::uint64_t length = count();
     if (length > rest_.size()) refuse("an attribute has " + std::to_string(length) + " values");
-    const std::string_view bytes = padded(length * size_of(kind));
+    const std::string_view bytes = padded(length * value_size(kind));
     if (packing == nullptr || kind == Type::letter || length != 1) return;
     const double value = number(kind, bytes);
     if (called == "scale_factor") packing->scale = value;
@@ -199,20 +201,41 @@ struct Extent {
 class Values {
  public:
   Values(std::ifstream& file, std::uint64_t length, const Head& head) : file_(file), length_(length), head_(head) {
-    std::size_t of_records = 0;
+    std::size_t is_record_variable = 0;
     for (const Described& one : head.variables) {
-      if (!head.of_records(one)) continue;
-      const std::uint64_t piece = piece_of(one);
-      ++of_records;
+      if (!head.is_record_variable(one)) continue;
+      const std::uint64_t piece = record_bytes(one);
+      ++is_record_variable;
       only_ = piece;
       record_ = std::min(length_ + 1, record_ + (piece + 3) / 4 * 4);
     }
-    if (of_records == 1) record_ = only_;  // of one variable alone records are not filled up
+    if (is_record_variable == 1) record_ = only_;  // of one variable alone records are not filled up
+  }
+
+  /// Values of several variables in one place are a sign of damage, which would else go unseen.
+  void require_apart(std::uint64_t head) const {
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> places;  // from, to; of the first record
+    std::uint64_t first = length_, last = 0;
+    for (const Described& one : head_.variables) {
+      const std::uint64_t piece = record_bytes(one);
+      if (piece == 0 || piece > length_ || one.begin > length_) continue;  // the latter are beyond the end
+      places.emplace_back(one.begin, one.begin + piece);
+      if (!head_.is_record_variable(one)) continue;
+      first = std::min(first, one.begin);
+      last = std::max(last, one.begin + piece);
+    }
+    std::sort(places.begin(), places.end());
+    std::uint64_t free = head;
+    for (const auto& [from, to] : places) {
+      if (from < free) refuse("values of its variables overlap");
+      free = to;
+    }
+    if (last > first && last - first > record_) refuse("its records overlap");
   }
 
   NetcdfVariable read(const Described& one) {
     NetcdfVariable variable;
-    const Extent extent = extent_of(one);
+    const Extent extent = find_extent(one);
     NetcdfArray& array = variable.array;
     for (std::size_t k = 0; k < one.dimensions.size(); ++k) {
       const Dimension& dimension = head_.dimensions[one.dimensions[k]];
@@ -226,9 +249,9 @@ class Values {
     } else if (!count_values(array.sizes)) {
       variable.fault = "has too many values";
     } else if (letters) {
-      variable.words = split_words(bytes_of(extent), array.sizes.empty() ? 1 : array.sizes.back());
+      variable.words = split_words(read_bytes(extent), array.sizes.empty() ? 1 : array.sizes.back());
     } else {
-      array.values = numbers(one.type, bytes_of(extent));
+      array.values = numbers(one.type, read_bytes(extent));
       unpack(array.values, one.packing);
     }
     return variable;
@@ -236,18 +259,18 @@ class Values {
 
  private:
   /// Bytes of a variable, or of one record of it; more than the file has where it makes no sense.
-  std::uint64_t piece_of(const Described& one) const {
-    std::uint64_t piece = size_of(one.type);
-    for (std::size_t k = head_.of_records(one) ? 1 : 0; k < one.dimensions.size(); ++k) {
+  std::uint64_t record_bytes(const Described& one) const {
+    std::uint64_t piece = value_size(one.type);
+    for (std::size_t k = head_.is_record_variable(one) ? 1 : 0; k < one.dimensions.size(); ++k) {
       const std::uint64_t size = head_.dimensions[one.dimensions[k]].size;
       if (size > length_ || (piece *= size) > length_) return length_ + 1;
     }
     return piece;
   }
 
-  Extent extent_of(const Described& one) const {
-    Extent extent{one.begin, piece_of(one)};
-    if (!head_.of_records(one)) return extent;
+  Extent find_extent(const Described& one) const {
+    Extent extent{one.begin, record_bytes(one)};
+    if (!head_.is_record_variable(one)) return extent;
     extent.spacing = record_;
     extent.pieces = head_.records;
     if (head_.records == kNoRecord) {  // written by somebody who did not know how many there would be
@@ -263,7 +286,7 @@ class Values {
     return extent.pieces == 1 || (extent.spacing > 0 && extent.pieces - 1 <= room / extent.spacing);
   }
 
-  std::string bytes_of(const Extent& extent) {
+  std::string read_bytes(const Extent& extent) {
     std::string bytes(static_cast<std::size_t>(extent.piece * extent.pieces), '\0');
     for (std::uint64_t i = 0; i < extent.pieces; ++i) {
       check_interruption();
@@ -290,8 +313,10 @@ NetcdfContents read_netcdf_classic(const std::string& path) {
   file.seekg(0);
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!file) throw std::runtime_error("a file that cannot be read");
-  const Head head = HeadReader(bytes).read();
+  HeadReader reader(bytes);
+  const Head head = reader.read();
   Values values(file, length, head);
+  values.require_apart(bytes.size() - reader.left());
   NetcdfContents contents;
   for (const Described& one : head.variables) {
     if (!contents.emplace(one.name, values.read(one)).second) refuse("it has two variables '" + one.name + "'");

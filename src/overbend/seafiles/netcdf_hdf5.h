@@ -7,8 +7,8 @@
 
 namespace overbend {
 
-/// All variables of the file's root. HDF5 1.10 does not survive every damaged file, so that it reads in a process of
-/// its own (base/child_work.h). Throws std::runtime_error where the file cannot be read, whichever way that ends.
+/// All variables of the root group. HDF5 1.10 crashes on some damaged files, so a child process reads them
+/// (base/child_work.h). Throws std::runtime_error if the file cannot be read, also if the child process crashes.
 NetcdfContents read_netcdf_hdf5(const std::string& path);
 
 }  // namespace overbend
