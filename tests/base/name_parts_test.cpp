@@ -38,6 +38,24 @@ TEST(name_parts, a_star_stands_for_any_letters) {
   EXPECT_FALSE(matches_pattern("stinger", "stinger 7"));
 }
 
+TEST(name_parts, many_stars_take_no_more_time_than_one) {
+  const std::string stars(2000, '*'), letters(2000, 'a');
+  EXPECT_TRUE(matches_pattern(stars, letters));
+  EXPECT_TRUE(matches_pattern("*a*a*a*a*a*a*a*a*a*a*", letters));
+  EXPECT_FALSE(matches_pattern("*a*a*a*a*a*a*a*a*a*a*b", letters));
+  EXPECT_FALSE(matches_pattern(stars + "b", letters));
+  EXPECT_TRUE(matches_pattern("a*b*", "axxbxb"));
+  EXPECT_FALSE(matches_pattern("a*b", "axxbxbc"));
+}
+
+TEST(name_parts, no_name_has_more_parts_than_any_key) {
+  std::string name = "a";
+  for (int i = 0; i < 63; ++i) name += ".a";
+  EXPECT_TRUE(name_parts(name));
+  EXPECT_FALSE(name_parts(name + ".a"));
+  EXPECT_FALSE(name_parts(std::string(5000, 'a')));
+}
+
 TEST(name_parts, an_item_is_chosen_by_index_range_name_or_pattern) {
   EXPECT_TRUE(chooses_item("3", 3, "ramp 4"));
   EXPECT_FALSE(chooses_item("3", 2, "3"));

@@ -1,4 +1,4 @@
-/// What the program prints is UTF-8, whatever bytes of files or of the command line are in its messages.
+/// Valid UTF-8 on the terminal.
 #pragma once
 
 #include <ostream>
@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// While it lives, bytes written to a stream that are no UTF-8 come out as "\xc6".
+/// Writes bytes of a stream that are not UTF-8 as "\xc6" within its lifetime.
 class TerminalText : public std::streambuf {
  public:
   explicit TerminalText(std::ostream& stream);

@@ -6,8 +6,10 @@
 namespace overbend {
 
 std::optional<std::vector<NamePart>> name_parts(std::string_view name) {
+  constexpr std::size_t kMaxLength = 4000, kMaxParts = 64;
+  if (name.size() > kMaxLength) return std::nullopt;
   std::vector<NamePart> parts;
-  while (!name.empty()) {
+  while (!name.empty() && parts.size() <= kMaxParts) {
     const bool item = name.front() == '[';
     if (item) name.remove_prefix(1);
     const std::size_t end = item ? name.find(']') : std::min(name.find_first_of(".["), name.size());
@@ -18,7 +20,7 @@ std::optional<std::vector<NamePart>> name_parts(std::string_view name) {
     if (name.front() != '.' || name.size() == 1 || name[1] == '[') return std::nullopt;
     name.remove_prefix(1);
   }
-  if (parts.empty() || parts.front().item) return std::nullopt;
+  if (parts.empty() || parts.size() > kMaxParts || parts.front().item) return std::nullopt;
   return parts;
 }
 
@@ -42,13 +44,22 @@ std::optional<std::size_t> item_index(const std::string& text) {
 }
 
 bool matches_pattern(std::string_view pattern, std::string_view text) {
-  const std::size_t star = pattern.find('*');
-  if (star == std::string_view::npos) return pattern == text;
-  if (!text.starts_with(pattern.substr(0, star))) return false;
-  for (std::size_t from = star; from <= text.size(); ++from) {
-    if (matches_pattern(pattern.substr(star + 1), text.substr(from))) return true;
+  std::size_t star = std::string_view::npos, p = 0, t = 0, resumed = 0;
+  while (t < text.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      resumed = t;
+    } else if (p < pattern.size() && pattern[p] == text[t]) {
+      ++p;
+      ++t;
+    } else if (star != std::string_view::npos) {  // the last star stands for a letter more
+      p = star + 1;
+      t = ++resumed;
+    } else {
+      return false;
+    }
   }
-  return false;
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
 bool chooses_item(const std::string& text, std::size_t index, const std::string& name) {

@@ -15,7 +15,7 @@ struct NamePart {
 };
 
 /// "a.b[stinger 3].c" -> a, b, [stinger 3], c. Points within brackets belong to the text there. Nothing where a part is
-/// empty or a bracket is left open.
+/// empty or a bracket is left open, and where the name is longer than any key's.
 std::optional<std::vector<NamePart>> name_parts(std::string_view name);
 
 /// The parts as a name again.

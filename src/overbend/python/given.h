@@ -1,4 +1,4 @@
-/// Arguments from Python that are checked before the engine sees them.
+/// Checked arguments from Python.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,8 +12,8 @@
 
 namespace overbend {
 
-/// An object of a bound class as an argument: never None, never one whose __init__ did not run. A pointer or a
-/// reference in its place would let both through, so every binding takes this. The class needs a shared_ptr as holder.
+/// Argument of a bound class: rejects None and objects whose __init__ did not run. pybind11 accepts both for pointers,
+/// and the latter for references, so every binding takes this. The class needs a shared_ptr as holder.
 template <class T>
 class Given {
  public:
@@ -35,7 +35,7 @@ inline std::size_t checked_index(std::size_t index, std::size_t count, const cha
                               std::to_string(index));
 }
 
-/// How many threads shall be at work; 0: as many as there are cores. Throws std::invalid_argument.
+/// Number of threads; 0: the number of cores. Throws std::invalid_argument.
 inline int checked_threads(int threads) {
   constexpr int kMaxThreads = 1024;
   if (threads >= 0 && threads <= kMaxThreads) return threads;
@@ -43,7 +43,7 @@ inline int checked_threads(int threads) {
                               std::to_string(kMaxThreads));
 }
 
-/// Throws std::invalid_argument where the number is not finite or below `low`.
+/// Throws std::invalid_argument if the number is not finite or below `low`.
 inline double checked_number(double value, const char* name, double low) {
   if (std::isfinite(value) && value >= low) return value;
   throw std::invalid_argument(std::string(name) + ": found " + std::to_string(value) +

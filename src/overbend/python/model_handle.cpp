@@ -22,7 +22,7 @@ bool names_files(const YamlChange& change) {
 }
 
 std::string sentence_of_nothing(const YamlNode& tree, const std::string& key, const std::vector<NamePart>& parts) {
-  std::string sentence = "the key '" + key + "' chooses no item of the model";
+  std::string sentence = "the key '" + for_display(key) + "' chooses no item of the model";
   std::string list;
   for (const std::string& name : names_to_choose(tree, parts)) list += (list.empty() ? "" : ", ") + name;
   return list.empty() ? sentence : sentence + "; there are: " + list;
@@ -47,7 +47,7 @@ void require_key(const std::string& key, const std::vector<NamePart>& parts) {
 /// Every key that the change's own one chooses.
 void choose(const YamlNode& tree, const YamlChange& change, std::vector<YamlChange>& list) {
   const auto parts = name_parts(change.path);
-  if (!parts) throw std::invalid_argument("'" + change.path + "' is no key of a model");
+  if (!parts) throw std::invalid_argument("'" + for_display(change.path) + "' is no key of a model");
   if (change.kind == YamlChange::Kind::remove) require_key(change.path, *parts);
   const std::vector<ChosenKey> keys = chosen_keys(tree, *parts);
   // An index behind the end of a list appends to it.
@@ -131,7 +131,7 @@ const Description& ModelHandle::description() const {
 
 const YamlNode* ModelHandle::find(const std::string& key) const {
   const auto parts = name_parts(key);
-  if (!parts) throw std::invalid_argument("'" + key + "' is no key of a model");
+  if (!parts) throw std::invalid_argument("'" + for_display(key) + "' is no key of a model");
   const std::vector<ChosenKey> keys = chosen_keys(tree_, *parts);
   if (keys.empty()) return nullptr;
   std::string rest;
