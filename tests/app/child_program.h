@@ -60,6 +60,8 @@ class ChildProgram {
     return true;
   }
 
+  void send(int signal) const { kill(id_, signal); }
+
   /// Waits for its end: the exit code, or minus the signal that ended it.
   int end() {
     if (id_ > 0) waitpid(id_, &status_, 0);

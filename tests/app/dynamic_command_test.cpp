@@ -158,6 +158,28 @@ TEST(dynamic_command, interrupted_leaves_a_checkpoint_that_serves_the_same_model
   EXPECT_EQ(differences(whole / "out", stopped / "out"), "");
 }
 
+TEST(dynamic_command, a_run_of_months_begins_at_once_and_hears_a_signal) {
+  const TemporaryFolder folder;
+  // To add up a sea of so many waves over its whole duration would take a minute.
+  testing::write_file(folder / "lay.yaml", with(kSmallLay, "components: 20", "components: 200"));
+  const auto start = std::chrono::steady_clock::now();
+  ChildProgram program(folder.path(), {"dynamic", "lay.yaml", "-o", "out", "--duration", "1e7 s", "--checkpoint", "0"});
+  ASSERT_TRUE(program.signal_after(folder / "out", -4.0, SIGTERM));
+  EXPECT_EQ(program.end(), 130);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
+TEST(dynamic_command, a_signal_is_heard_within_a_row_of_output_that_takes_long) {
+  const TemporaryFolder folder;
+  testing::write_file(folder / "lay.yaml", with(kSmallLay, "output_step: 0.5 s", "output_step: 1e6 s"));
+  ChildProgram program(folder.path(), {"dynamic", "lay.yaml", "-o", "out", "--duration", "1e7 s"});
+  while (!fs::exists(folder / "out/.run/lock")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // on its way
+  program.send(SIGINT);
+  EXPECT_EQ(program.end(), 130);
+  EXPECT_FALSE(fs::exists(folder / "out"));  // there was nothing to keep
+}
+
 /// A run of kLongLay in FOLDER/out, interrupted; its sea is from a file in FOLDER.
 const std::string kFileLay = with(kLongLay, kWaves, "waves: {type: user, spectrum_file: sea.csv, components: 20}");
 

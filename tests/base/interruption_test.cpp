@@ -32,13 +32,30 @@ TEST(interruption, what_a_scope_asks_for_ends_with_it) {
   EXPECT_FALSE(interruption_wanted());
 }
 
-TEST(interruption, of_the_process_is_heard_by_all_threads) {
-  interrupt_process(true);
-  bool heard = false;
-  std::thread([&] { heard = interruption_wanted(); }).join();
-  EXPECT_TRUE(heard && interruption_wanted());
-  interrupt_process(false);
-  EXPECT_FALSE(interruption_wanted());
+TEST(interruption, what_was_interrupted_is_put_away_without_further_ones) {
+  const InterruptionScope scope([] { return true; });
+  {
+    const UninterruptedScope put_away;
+    EXPECT_FALSE(interruption_wanted());
+    const InterruptionScope inner([] { return false; });
+    EXPECT_FALSE(interruption_wanted());
+  }
+  EXPECT_TRUE(interruption_wanted());
+}
+
+TEST(interruption, of_a_thread_is_heard_by_those_it_starts) {
+  bool stop = false;
+  const InterruptionScope scope([&] { return stop; });
+  const auto work = [&, asked = caller_interruption()] {
+    const InterruptionScope own(asked);
+    return interruption_wanted();
+  };
+  bool before = true, after = false;
+  std::thread([&] { before = work(); }).join();
+  stop = true;
+  std::thread([&] { after = work(); }).join();
+  EXPECT_FALSE(before);
+  EXPECT_TRUE(after);
 }
 
 }  // namespace

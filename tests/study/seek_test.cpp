@@ -182,7 +182,7 @@ TEST(seek, ends_before_the_next_model_when_it_is_told_to) {
       "  vary: {key: tensioner.tension, from: 450 kN, to: 1100 kN}\n"
       "  until: {result: static.top_inclination, equals: 65 deg}\n");
   int asked = 0;
-  EXPECT_THROW(seek(description, read_seek(description).value(), [&] { return ++asked == 4; }), SeekStopped);
+  EXPECT_THROW(seek(description, read_seek(description).value(), [&] { return ++asked == 4; }), Interrupted);
   EXPECT_EQ(asked, 4);
 }
 

@@ -13,6 +13,7 @@
 #include "app/described_commands.h"
 #include "app/exit_code.h"
 #include "app/study_command.h"
+#include "base/interruption.h"
 #include "base/simd.h"
 #include "base/text.h"
 #include "base/version.h"
@@ -322,6 +323,9 @@ int run_command_line(int count, const char* const* words) {
     return code;
   } catch (const CLI::ParseError& fault) {
     return program.exit(fault, std::cout, std::cerr) == 0 ? kDone : kWrongInput;
+  } catch (const Interrupted&) {
+    std::cerr << "overbend: interrupted\n";
+    return kInterrupted;
   } catch (const FileFault& fault) {
     std::cerr << "overbend: " << fault.what() << "\n";
   } catch (const std::exception& fault) {

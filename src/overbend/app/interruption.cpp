@@ -16,7 +16,7 @@ void set_flag(int signal) {
 
 }  // namespace
 
-Interruption::Interruption() {
+Interruption::Interruption() : scope_(wanted) {
   flag = false;
   std::signal(SIGINT, set_flag);
   std::signal(SIGTERM, set_flag);

@@ -74,7 +74,7 @@ int run_seeds(const Model& model, const std::vector<std::uint64_t>& seeds, const
   const LineSeeds all = run_line_seeds(model.description, seeds, [&](std::uint64_t seed, const std::string& name) {
     return run_seed(model, seed, folder / name, resume, checkpoint_every);
   });
-  if (all.stopped) return kInterrupted;
+  if (all.stopped) return tell({RunEnding::interrupted, ""});
   if (all.failure) return tell(failed_end(*all.failure, model.description));
   const SeedsResults& gathered = all.seeds;
   for (const FailedSeed& failed : gathered.failed) {
@@ -128,7 +128,7 @@ int run_dynamic_lines(const Description& described, std::optional<double> durati
   try {
     if (seeds.size() > 1) return run_seeds(model, seeds, folder, *resume, checkpoint_every);
     const LinesOutcome outcome = run_seed(model, dynamic_options(model).seed, folder, *resume, checkpoint_every);
-    if (outcome.stopped) return kInterrupted;
+    if (outcome.stopped) return tell({RunEnding::interrupted, ""});
     if (outcome.failure) return tell(failed_end(*outcome.failure, description));
     print(*outcome.results);
     return told_folder(folder);

@@ -1,13 +1,9 @@
 #include "base/interruption.h"
 
-#include <atomic>
 #include <utility>
 
 namespace overbend {
 namespace {
-
-std::atomic<bool> process_interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not wait");
 
 thread_local const InterruptionScope* innermost = nullptr;
 
@@ -25,15 +21,16 @@ bool InterruptionScope::wanted() const {
 }
 
 bool interruption_wanted() {
-  return process_interrupted.load(std::memory_order_relaxed) || (innermost != nullptr && innermost->wanted());
+  return innermost != nullptr && innermost->wanted();
 }
 
 void check_interruption() {
   if (interruption_wanted()) throw Interrupted();
 }
 
-void interrupt_process(bool wanted) noexcept {
-  process_interrupted = wanted;
+std::function<bool()> caller_interruption() {
+  const InterruptionScope* const scope = innermost;
+  return [scope] { return scope != nullptr && scope->wanted(); };
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// Long work that can be ended from outside, wherever it is: it asks now and then, deep within as well.
+/// Cancellation of long work: a scope holds the request, loops deep in the engine poll it.
 #pragma once
 
 #include <exception>
@@ -6,35 +6,42 @@
 
 namespace overbend {
 
-/// Work was ended from outside: neither an error of the input nor of the program.
+/// Cancelled work: neither an error of the input nor of the program.
 class Interrupted : public std::exception {
  public:
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// While it lives, the work of this thread ends where `stop` says so, or where the work around it shall end. Threads
-/// that the work starts need their own.
+/// Work of this thread within its lifetime is cancelled once `stop` returns true, or the enclosing scope is. Threads
+/// started within need scopes of their own: see caller_interruption().
 class InterruptionScope {
  public:
   explicit InterruptionScope(std::function<bool()> stop);
-  ~InterruptionScope();
+  virtual ~InterruptionScope();
   InterruptionScope(const InterruptionScope&) = delete;
   InterruptionScope& operator=(const InterruptionScope&) = delete;
 
-  bool wanted() const;
+  virtual bool wanted() const;
 
  private:
   std::function<bool()> stop_;
   const InterruptionScope* around_;
 };
 
-/// Whether the work of this thread shall end.
+/// Nothing is cancelled within its lifetime: for saving cancelled work.
+class UninterruptedScope : public InterruptionScope {
+ public:
+  UninterruptedScope() : InterruptionScope({}) {}
+  bool wanted() const override { return false; }
+};
+
+/// True once the work of this thread is cancelled.
 bool interruption_wanted();
 
-/// Throws Interrupted where it shall. To be called several times a second.
+/// Throws Interrupted once the work of this thread is cancelled. Long loops call it several times a second.
 void check_interruption();
 
-/// Says of all threads of the process that their work shall end; also from a signal handler.
-void interrupt_process(bool wanted) noexcept;
+/// Returns interruption_wanted() of this thread for the scopes of threads that it starts and waits for.
+std::function<bool()> caller_interruption();
 
 }  // namespace overbend

@@ -7,10 +7,13 @@
 
 #include <yaml-cpp/eventhandler.h>
 
+#include "base/interruption.h"
 #include "base/text.h"
 
 namespace overbend {
 namespace {
+
+constexpr std::size_t kNodesBetweenChecks = 4096;
 
 /// Builds the tree from the parser's events, so that keys keep their marks and repeated ones are seen.
 class TreeBuilder : public YAML::EventHandler {
@@ -100,6 +103,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void place(YamlNode node) {
+    if (++nodes_ % kNodesBetweenChecks == 0) check_interruption();
     if (stack_.empty()) {
       root_ = std::move(node);
       return;
@@ -154,6 +158,7 @@ class TreeBuilder : public YAML::EventHandler {
   Diagnostics& diagnostics_;
   std::vector<Frame> stack_;
   std::optional<YamlNode> root_;
+  std::size_t nodes_ = 0;
 };
 
 /// The parser's terse messages in words that say what to look for.
@@ -195,6 +200,8 @@ std::optional<YamlNode> parse_yaml(const std::string& text, const std::string& f
     diagnostics.add({Severity::error, file, fault.mark.line + 1, fault.mark.column + 1, "",
                      "invalid YAML, column " + std::to_string(fault.mark.column + 1) + ": " + in_our_words(fault.msg),
                      "", ""});
+  } catch (const Interrupted&) {
+    throw;
   } catch (const std::exception& fault) {
     diagnostics.add({Severity::error, file, 0, 0, "", std::string("invalid YAML: ") + fault.what(), "", ""});
   }

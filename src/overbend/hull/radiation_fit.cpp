@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/dense_algebra.h"
+#include "base/interruption.h"
 #include "hull/radiation_poles.h"
 #include "numerics/constrained_least_squares.h"
 
@@ -259,6 +260,7 @@ std::vector<Complex> improve_poles(const FitTarget& target, std::vector<Complex>
     }
   }
   for (int round = 0; round < kRelocations && !poles.empty(); ++round) {
+    check_interruption();
     poles = relocate_poles(response, poles, slowest);
   }
   return poles;
@@ -269,6 +271,7 @@ GroupFit fit_residues(const FitTarget& target, const std::vector<Complex>& poles
   GroupFit fit = problem.solve();
   int rounds = 0;
   while (problem.ask_for_passivity(fit) && rounds < kMostRounds) {
+    check_interruption();
     fit = problem.solve();
     fit.rounds = ++rounds;
   }

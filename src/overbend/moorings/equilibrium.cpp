@@ -7,6 +7,7 @@
 
 #include "base/constants.h"
 #include "base/dense_algebra.h"
+#include "base/interruption.h"
 
 namespace overbend {
 namespace {
@@ -256,6 +257,7 @@ RestOutcome find_rest(const MooringSpread& spread, const HullAtRest& hull, const
   double least = at.residual;
   int idle = 0;  // steps since the balance last became better
   for (; at.residual > kBalanced && at.iterations < kMaxIterations && idle < kMaxIdle; ++at.iterations) {
+    check_interruption();
     if (!advance(spread, hull, free, weight, arm, at)) break;
     idle = at.residual < least ? 0 : idle + 1;
     least = std::min(least, at.residual);

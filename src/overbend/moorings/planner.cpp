@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/dense_algebra.h"
+#include "base/interruption.h"
 
 namespace overbend {
 namespace {
@@ -92,6 +93,7 @@ Geometry geometry_of(const MooringSpread& spread, const HullAtRest& hull, const 
   geometry.least = Eigen::VectorXd::Zero(n);
   geometry.most = Eigen::VectorXd::Constant(n, 1e300);
   for (Eigen::Index i = 0; i < n; ++i) {
+    check_interruption();
     const MooredLine& line = spread.lines[static_cast<std::size_t>(i)];
     if (line.parted) {
       geometry.most[i] = 0.0;

@@ -27,7 +27,7 @@ ModelPointer changed(const GivenModel& model,
                      const std::vector<std::tuple<std::string, std::string, std::string>>& told) {
   std::vector<YamlChange> changes;
   for (const auto& one : told) changes.push_back(change_of(one));
-  return without_lock([&] { return model->changed(changes); });
+  return interruptible([&] { return model->changed(changes); });
 }
 
 py::object value_of(const YamlNode& node) {
@@ -56,7 +56,7 @@ py::object find(const GivenModel& model, const std::string& key) {
 }
 
 const Description& whole(const GivenModel& model) {
-  return *without_lock([&] { return &model->description(); });
+  return *interruptible([&] { return &model->description(); });
 }
 
 }  // namespace
@@ -64,12 +64,12 @@ const Description& whole(const GivenModel& model) {
 void add_model(py::module_& module) {
   py::class_<ModelHandle, std::shared_ptr<ModelHandle>>(module, "Model", "A model file as it was read.")
       .def_static(
-          "read", [](const std::string& path) { return without_lock([&] { return ModelHandle::read(path); }); },
+          "read", [](const std::string& path) { return interruptible([&] { return ModelHandle::read(path); }); },
           py::arg("path"))
       .def_static(
           "from_text",
           [](const std::string& text, const std::string& file) {
-            return without_lock([&] { return ModelHandle::from_text(text, file); });
+            return interruptible([&] { return ModelHandle::from_text(text, file); });
           },
           py::arg("text"), py::arg("file"))
       .def("changed", &changed, py::arg("changes"),

@@ -45,7 +45,7 @@ void add_sensitivities(py::module_& module) {
       "sensitivities",
       [](const Given<ModelHandle>& model, const std::string& stage, const std::vector<std::string>& keys,
          bool one_sided) {
-        return to_python(told_sensitivities(without_lock([&] {
+        return to_python(told_sensitivities(interruptible([&] {
           return sensitivities_at(*model, stage, {keys, one_sided});
         })));
       },

@@ -12,6 +12,7 @@
 #include "python/simulation_handle.h"
 #include "python/without_lock.h"
 #include "runstore/checksum.h"
+#include "study/case.h"
 
 namespace overbend {
 namespace {
@@ -206,7 +207,7 @@ py::dict arrays_of(const Saved& saved) {
 }
 
 /// Of all numbers of a state: one that was changed would lead the engine astray.
-std::uint64_t checksum_of(const SavedSimulation& saved) {
+std::uint64_t state_checksum(const SavedSimulation& saved) {
   std::uint64_t sum = add_to_checksum(kChecksumStart, std::bit_cast<std::uint64_t>(saved.state.time));
   for (const DynamicCheckpoint::Array& array : saved.state.arrays) {
     sum = add_to_checksum(sum, array.values.size());
@@ -215,8 +216,8 @@ std::uint64_t checksum_of(const SavedSimulation& saved) {
   return sum;
 }
 
-py::tuple told_state(const Saved& saved) {
-  return py::make_tuple(saved->input, saved->state.time, arrays_of(saved), checksum_of(*saved));
+py::tuple pickled_state(const Saved& saved) {
+  return py::make_tuple(saved->input, saved->state.time, arrays_of(saved), state_checksum(*saved));
 }
 
 std::shared_ptr<SavedSimulation> saved_of(const py::tuple& told) {
@@ -227,7 +228,7 @@ std::shared_ptr<SavedSimulation> saved_of(const py::tuple& told) {
   for (const auto& [name, values] : told[2].cast<py::dict>()) {
     saved->state.arrays.push_back({name.cast<std::string>(), values.cast<std::vector<double>>()});
   }
-  if (told[3].cast<std::uint64_t>() != checksum_of(*saved)) {
+  if (told[3].cast<std::uint64_t>() != state_checksum(*saved)) {
     throw py::value_error("the state of the simulation is damaged: it is not what was saved");
   }
   return saved;
@@ -237,14 +238,14 @@ void add_saved(py::module_& module) {
   py::class_<SavedSimulation, std::shared_ptr<SavedSimulation>>(module, "SavedSimulation", "A state of a simulation.")
       .def_property_readonly("time", [](const Saved& saved) { return saved->state.time; })
       .def_property_readonly("arrays", &arrays_of)
-      .def(py::pickle(&told_state, &saved_of));
+      .def(py::pickle(&pickled_state, &saved_of));
 }
 
 std::shared_ptr<SimulationHandle> started(const Given<ModelHandle>& model, const std::string& stage,
                                           std::optional<double> duration, std::optional<std::uint64_t> seed,
                                           const GivenControllers& controllers) {
   if (seed) require_seeds({*seed});
-  return without_lock([&] { return std::make_shared<SimulationHandle>(*model, stage, duration, seed, controllers); });
+  return interruptible([&] { return std::make_shared<SimulationHandle>(*model, stage, duration, seed, controllers); });
 }
 
 }  // namespace

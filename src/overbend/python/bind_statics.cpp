@@ -18,7 +18,7 @@ using GivenStatics = Given<StaticsHandle>;
 std::shared_ptr<StaticsHandle> solved(const Given<ModelHandle>& model, const std::string& stage,
                                       const std::optional<GivenStatics>& start) {
   const StaticsHandle* const from = start ? &**start : nullptr;
-  return without_lock([&] { return std::make_shared<StaticsHandle>(model.shared(), stage, from); });
+  return interruptible([&] { return std::make_shared<StaticsHandle>(model.shared(), stage, from); });
 }
 
 }  // namespace
@@ -30,11 +30,11 @@ void add_statics(py::module_& module) {
       .def(
           "summary",
           [](const GivenStatics& statics, bool all) {
-            return to_python(without_lock([&] { return statics->summary(all); }));
+            return to_python(interruptible([&] { return statics->summary(all); }));
           },
           py::arg("all"), "As summary.json; without `all` lacks the limits of roller friction and the hull's damping.")
       .def(
-          "tree", [](const GivenStatics& statics) { return without_lock([&] { return statics->tree(); }); },
+          "tree", [](const GivenStatics& statics) { return interruptible([&] { return statics->tree(); }); },
           "As results.h5.")
       .def(
           "save",

@@ -109,12 +109,12 @@ Json told_study(const StudyResults& results) {
 void add_studies(py::module_& module) {
   py::class_<StudyHandle, std::shared_ptr<StudyHandle>>(module, "Study", "The cases of a model.")
       .def_static(
-          "read", [](const std::string& file) { return without_lock([&] { return StudyHandle::read(file); }); },
+          "read", [](const std::string& file) { return interruptible([&] { return StudyHandle::read(file); }); },
           py::arg("file"))
       .def_static(
           "of",
           [](const Given<ModelHandle>& model, const std::string& text, const std::string& folder) {
-            return without_lock([&] { return StudyHandle::of(*model, text, folder); });
+            return interruptible([&] { return StudyHandle::of(*model, text, folder); });
           },
           py::arg("model"), py::arg("text"), py::arg("folder"))
       .def_property_readonly("count", [](const GivenStudy& study) { return study->cases().count(); })

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <thread>
 
+#include "base/interruption.h"
+
 namespace overbend {
 namespace {
 
@@ -23,6 +25,17 @@ std::exception_ptr look(const std::function<void()>& tell) {
   return nullptr;
 }
 
+/// Where this thread holds the interpreter's lock, for it writes files with HDF5, the one that waits shall see its
+/// signals now and then. HDF5 is between two calls, so that others may use it meanwhile.
+void yield_interpreter() {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kPause(50);
+  static thread_local Clock::time_point last;
+  if (Clock::now() - last < kPause || PyGILState_Check() == 0) return;
+  { const py::gil_scoped_release free; }
+  last = Clock::now();
+}
+
 }  // namespace
 
 void work_beside(const std::function<void()>& work, std::atomic<bool>& stop, const std::function<void()>& tell) {
@@ -34,6 +47,10 @@ void work_beside(const std::function<void()>& work, std::atomic<bool>& stop, con
     std::condition_variable wake;
     bool done = false;
     std::thread worker([&] {
+      const InterruptionScope scope([&stop] {
+        yield_interpreter();
+        return stop.load();
+      });
       try {
         work();
       } catch (...) {

@@ -8,12 +8,14 @@
 #include "dynamics/start_leap.h"
 #include "recording/dynamic_recorder.h"
 #include "recording/moored_recorder.h"
+#include "recording/reach_row.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kSmallLeap = 1e-3;   ///< Of the stern shoe at t = 0, not worth a word [m].
-constexpr double kSmallSpeed = 0.01;  ///< Likewise [m/s].
+constexpr double kSmallLeap = 1e-3;     ///< Of the stern shoe at t = 0, not worth a word [m].
+constexpr double kWorthKeeping = 10.0;  ///< What a run took that is not done again [s].
+constexpr double kSmallSpeed = 0.01;    ///< Likewise [m/s].
 
 DynamicRunReport finished(DynamicRunReport report, const DynamicOptions& options, double simulated) {
   report.real_time_ratio = report.wall_time > 0.0 ? simulated / report.wall_time : 0.0;
@@ -70,7 +72,8 @@ template <class Run>
 DynamicOutcome follow(Run& run, DynamicSink& sink, const std::function<DynamicControl(const DynamicProgress&)>& control,
                       const std::function<DynamicResults()>& so_far, const std::function<double()>& tension) {
   while (!run.finished()) {
-    if (!run.advance(run.next_row())) return {std::nullopt, run.failure(), false};
+    if (!reach_row(run)) return {std::nullopt, std::nullopt, true};
+    if (run.failure()) return {std::nullopt, run.failure(), false};
     const DynamicControl wanted =
         control({run.time(), run.end(), run.report().steps, tension(), [&so_far] { return so_far(); }});
     if (wanted != DynamicControl::go_on) sink.checkpoint(run.checkpoint());
@@ -79,6 +82,7 @@ DynamicOutcome follow(Run& run, DynamicSink& sink, const std::function<DynamicCo
       return {so_far(), std::nullopt, true};
     }
   }
+  if (run.report().wall_time > kWorthKeeping) sink.checkpoint(run.checkpoint());  // results are still to be written
   return {so_far(), std::nullopt, false};
 }
 

@@ -23,7 +23,7 @@ enum class DynamicControl { go_on, checkpoint, stop };  ///< `stop` leaves a che
 struct DynamicOutcome {
   std::optional<DynamicResults> results;  ///< Of a run that was stopped: of what lies behind t = 0, if anything.
   std::optional<StaticFailure> failure;
-  bool stopped = false;  ///< By the caller; the sink holds a checkpoint.
+  bool stopped = false;  ///< By the caller; the sink holds a checkpoint, that of an earlier row where rows take long.
 };
 
 /// Runs a simulation with a recorder, or goes on from a checkpoint; without a pipe that of a hull on its mooring lines,

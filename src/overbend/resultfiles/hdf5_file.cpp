@@ -10,6 +10,7 @@
 #include <system_error>
 #include <type_traits>
 
+#include "base/interruption.h"
 #include "resultfiles/absent.h"
 #include "resultfiles/hdf5_driver.h"
 #include "runstore/append_file.h"
@@ -152,6 +153,7 @@ void Hdf5Writer::attribute(const std::string& object, const std::string& name, c
 
 void Hdf5Writer::write_raw(const std::string& path, const ResultField& field, hid_t memory_type, hid_t file_type,
                            const std::vector<hsize_t>& shape, const void* values) {
+  check_interruption();
   const std::string what = "dataset " + path + " cannot be written to results.h5";
   const Hdf5Handle space(
       shape.empty() ? H5Screate(H5S_SCALAR) : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
@@ -195,6 +197,7 @@ void Hdf5Writer::create(const std::string& path, const ResultField& field, const
 
 template <class Number>
 void Hdf5Writer::write_rows(const std::string& path, hsize_t first, const std::vector<Number>& values) {
+  check_interruption();
   const std::string what = "dataset " + path + " cannot be written to results.h5";
   const Hdf5Handle set = dataset(path);
   const Hdf5Handle space(H5Dget_space(set), H5Sclose, what);
@@ -271,6 +274,7 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& file) : name_(file.string())
 }
 
 Hdf5Handle Hdf5Reader::dataset(const std::string& path) const {
+  check_interruption();
   return {H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "the file '" + name_ + "' has no dataset " + path};
 }
 

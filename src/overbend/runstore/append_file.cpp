@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "base/interruption.h"
 #include "base/require.h"
 
 namespace overbend {
@@ -87,6 +88,7 @@ void AppendFile::verify(const std::vector<std::uint64_t>& sums) {
   std::vector<double> block(BlockSums::kBlock);
   const std::uint64_t count = written_ / sizeof(double);
   for (std::uint64_t first = 0; first < count; first += block.size()) {
+    check_interruption();
     block.resize(std::min<std::uint64_t>(BlockSums::kBlock, count - first));
     read_raw(first * sizeof(double), block);
     sums_.add(block);

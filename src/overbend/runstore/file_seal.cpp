@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "base/interruption.h"
 #include "runstore/append_file.h"
 #include "runstore/checksum.h"
 
@@ -36,6 +37,7 @@ std::uint64_t checksum(std::istream& stream, std::uint64_t length) {
   std::uint64_t sum = kChecksumStart;
   std::vector<std::uint64_t> words(std::min<std::uint64_t>(length / sizeof(std::uint64_t) + 1, 1U << 17U));
   while (length > 0 && stream) {
+    check_interruption();
     const std::uint64_t count = std::min<std::uint64_t>(length, words.size() * sizeof(std::uint64_t));
     words[(count - 1) / sizeof(std::uint64_t)] = 0;
     stream.read(reinterpret_cast<char*>(words.data()), static_cast<std::streamsize>(count));

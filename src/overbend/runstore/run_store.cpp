@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "base/interruption.h"
 #include "base/require.h"
 #include "runstore/append_file.h"
 #include "runstore/checkpoint_file.h"
@@ -113,6 +114,7 @@ void RunStore::Files::fill_cache(std::size_t first) {
   cache.assign(together * count, 0.0);
   std::vector<double> part;
   for (std::size_t row = 0; row < count; row += rows_at_once) {
+    check_interruption();
     part.resize(std::min(rows_at_once, count - row) * width);
     rows.read(row * width * sizeof(double), part);
     for (std::size_t i = 0; i < part.size() / width; ++i) {

@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/interruption.h"
 #include "base/text.h"
 
 namespace overbend {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = 64U << 20U;
+constexpr int kLinesBetweenChecks = 10000;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 std::vector<std::string_view> split_at(std::string_view line, char separator) {
@@ -74,6 +76,7 @@ TextTable split_table(std::string_view text, char separator) {
     const std::string_view line = trim(text.substr(from, to - from));
     from = to + 1;
     ++number;
+    if (number % kLinesBetweenChecks == 0) check_interruption();
     if (line.empty()) continue;
     if (line.front() == '#') {
       table.remarks.push_back({number, split_remark(line)});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/interruption.h"
 #include "dynamics/dynamic_obstacle.h"
 #include "modelfile/yaml_reader.h"
 #include "serve/run_queue.h"
@@ -71,6 +72,7 @@ std::string run_lines_into(const std::filesystem::path& folder, Description desc
   if (!description.dynamics) return failure_line(without_dynamics());
   const Model model = build_model(description);
   const LinesOutcome outcome = run_lines(model, dynamic_options(model));
+  if (outcome.stopped) throw Interrupted();
   if (outcome.failure) return failure_line(*outcome.failure);
   const std::lock_guard hold(files);
   write_lines_run(*outcome.results, description, folder);
@@ -187,6 +189,7 @@ void RunQueue::run(const Job& job) {
   update(
       job.run.id, [](RunInfo&) {}, true);
   try {
+    const InterruptionScope scope([this] { return stop_.load(); });
     if (job.run.kind == "static") {
       run_static(job);
     } else if (job.run.is_matrix()) {
@@ -194,6 +197,8 @@ void RunQueue::run(const Job& job) {
     } else {
       run_dynamic(job);
     }
+  } catch (const Interrupted&) {
+    end_interrupted(job);
   } catch (const std::exception& fault) {
     end(job.run.id, RunState::failed, fault.what());
   }
@@ -239,6 +244,7 @@ void RunQueue::end_interrupted(const Job& job) {
     return end(id, RunState::cancelled,
                "the program ended; the run can be resumed" + command_of(job.model, job.run, folder(job.run).string()));
   }
+  if (job.run.kind == "static") return end(id, RunState::cancelled, "cancelled");
   if (job.run.is_study()) return end(id, RunState::cancelled, "cancelled; results computed by its cases are kept");
   end(id, RunState::cancelled,
       find(id).has_results ? "cancelled; results computed so far are kept" : "cancelled before t = 0");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/interruption.h"
 #include "statics/step_search.h"
 
 namespace overbend {
@@ -75,6 +76,7 @@ NewtonReport come_to_rest(RestingLine resting, LineState& state, const LineRestS
   const double stiffest = *std::max_element(elements.EA.begin(), elements.EA.begin() + elements.count);
   const double move = largest_move(line.line().mesh);
   for (; report.iterations <= settings.max_iterations; ++report.iterations) {
+    check_interruption();
     resting.evaluate(state, true);
     report.residual = line.unbalance().force / line.line().force_scale;
     const double rounding = kRounding * stiffest / line.line().force_scale;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interruption.h"
 #include "statics/lines_statics.h"
 
 namespace overbend {
@@ -53,6 +54,7 @@ class Rest {
  private:
   /// Residual of a state; with its tangent where it is asked for.
   double residual_of(SystemState& at, bool tangent) {
+    check_interruption();
     assembly_.set_time(at.time, at);
     assembly_.impose_ends(at);
     assembly_.evaluate(at, before_, {1.0 / kLongTime, 0.0, kLongTime}, tangent);

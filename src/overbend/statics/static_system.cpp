@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interruption.h"
 #include "mechanics/ground.h"
 #include "mechanics/quadrature.h"
 #include "mechanics/rod_element.h"
@@ -142,6 +143,7 @@ void StaticSystem::scale_current(double scale) {
 }
 
 void StaticSystem::evaluate(const LineState& state, bool with_tangent) {
+  check_interruption();
   follow_far_end(state);
   evaluate_on_line(state, with_tangent);
 }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "base/interruption.h"
 #include "checks/run_checks.h"
 #include "dynamics/dynamics.h"
 #include "modelfile/seek_reader.h"
@@ -206,6 +207,8 @@ std::shared_ptr<const LayStart> base_start(const CaseBase& base) {
   try {
     Model model = build_model(base.model());
     solve_beside(model, {}, &found);
+  } catch (const Interrupted&) {
+    throw;
   } catch (const std::exception&) {  // the cases say themselves what is wrong
   }
   return found;
@@ -226,8 +229,11 @@ RunEnd prepare_neighbour(const CaseBase& base, const CaseQuestion& question, Cas
 
 CaseAnswer evaluate_case(const CaseBase& base, const CaseQuestion& question, CaseNeighbour& neighbour,
                          const CaseConduct& conduct) {
+  const InterruptionScope scope(conduct.stop);
   try {
     return answer_of(base, question, neighbour, conduct);
+  } catch (const Interrupted&) {
+    return ended(RunEnding::interrupted, "interrupted");
   } catch (const FileFault& fault) {
     return ended(RunEnding::fault, fault.what());
   } catch (const UnusableFolder& fault) {

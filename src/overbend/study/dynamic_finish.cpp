@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "base/constants.h"
+#include "base/interruption.h"
 #include "numerics/extremes.h"
 #include "numerics/welch.h"
 #include "runstore/dynamic_histories.h"
@@ -49,6 +50,7 @@ void finish_histories(const Description& description, DynamicResults& results, c
   results.histories = summarise_histories(store);
   const std::vector<double> time = store.column(0);
   for (std::size_t i = 1; i < store.columns().size(); ++i) {
+    check_interruption();
     const HistoryColumn& column = store.columns()[i];
     if (!column.extreme && !column.smallest && !column.spectrum) {
       continue;

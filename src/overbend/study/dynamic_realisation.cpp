@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "base/interruption.h"
 #include "checks/run_checks.h"
 #include "report/report.h"
 #include "resultfiles/dynamic_writer.h"
@@ -82,11 +83,17 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   } catch (const std::invalid_argument& fault) {  // a sea or a motion that cannot be made
     begun->store.remove();
     return {{RunEnding::wrong_input, fault.what()}};
+  } catch (const Interrupted&) {
+    if (!begun->state) begun->store.remove();  // before its first step
+    return {{RunEnding::interrupted, "interrupted"}};
   }
-  if (outcome.results && shared.statics.has_pipe()) fill_checks(shared.model, shared.statics, *outcome.results);
   if (outcome.stopped) {
+    const UninterruptedScope put_away;
+    if (!RunStore::find(folder)) begun->store.remove();
+    if (outcome.results && shared.statics.has_pipe()) fill_checks(shared.model, shared.statics, *outcome.results);
     return {{RunEnding::interrupted, "interrupted"}, {}, std::move(outcome.results)};
   }
+  if (outcome.results && shared.statics.has_pipe()) fill_checks(shared.model, shared.statics, *outcome.results);
   if (outcome.failure) {
     begun->store.remove();
     return {failed_end(*outcome.failure, shared.description)};
@@ -106,6 +113,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
 }
 
 void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::path& folder, FileLock& writing) {
+  const UninterruptedScope put_away;
   std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
   if (!run) return;
   finish_motions(shared.statics, shared.description, results, run->store);

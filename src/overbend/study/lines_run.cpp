@@ -6,10 +6,12 @@
 #include <cmath>
 
 #include "base/file_lock.h"
+#include "base/interruption.h"
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/lines_in_time.h"
 #include "dynamics/start_leap.h"
 #include "model/station.h"
+#include "recording/reach_row.h"
 #include "report/report.h"
 #include "resultfiles/lines_writer.h"
 #include "runstore/run_store.h"
@@ -148,9 +150,8 @@ LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const 
   run.observe(recorder);
   if (sitting.from != nullptr) run.restore(*sitting.from);
   while (!run.finished()) {
-    if (!run.advance(run.next_row())) {
-      return {std::nullopt, run.failure()};
-    }
+    if (!reach_row(run)) return {std::nullopt, std::nullopt, true};
+    if (run.failure()) return {std::nullopt, run.failure()};
     if (!sitting.control) continue;
     const DynamicControl wanted =
         sitting.control({run.time(), run.end(), run.report().steps, run.end_force(0, LineEnd::last).norm()});
@@ -178,8 +179,17 @@ LinesOutcome run_lines_in(const std::filesystem::path& folder, const Model& mode
   store.begin({{"time", "s", "Time; the histories are in the checkpoint"}}, {});
   const LinesSitting sitting{resumed ? &resumed->state : nullptr, control,
                              [&](const DynamicCheckpoint& state) { store.checkpoint(state); }};
-  LinesOutcome outcome = run_lines(model, options, sitting);
-  if (outcome.stopped) return outcome;
+  LinesOutcome outcome;
+  try {
+    outcome = run_lines(model, options, sitting);
+  } catch (const Interrupted&) {
+    if (!resumed) store.remove();  // before its first step
+    throw;
+  }
+  if (outcome.stopped) {
+    if (!RunStore::find(folder)) store.remove();
+    return outcome;
+  }
   if (outcome.results) write_lines_run(*outcome.results, model.description, folder);
   store.remove();
   return outcome;

@@ -5,10 +5,10 @@
 #include <exception>
 #include <map>
 #include <numeric>
-#include <thread>
 
 #include <fmt/format.h>
 
+#include "base/threads.h"
 #include "results/shared_warnings.h"
 
 namespace overbend {
@@ -213,12 +213,7 @@ std::vector<SearchedCell> search_operability(const OperabilityGrid& grid, const 
       }
     }
   };
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : cores;
-  std::vector<std::thread> others;
-  for (std::size_t i = 1; i < std::min(wanted, chains); ++i) others.emplace_back(work);
-  work();
-  for (std::thread& thread : others) thread.join();
+  work_in_threads(useful_threads(threads, chains), work);
   for (const std::exception_ptr& fault : faults) {
     if (fault) std::rethrow_exception(fault);
   }

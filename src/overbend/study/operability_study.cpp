@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "base/constants.h"
+#include "base/interruption.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "report/warning_weight.h"
@@ -243,6 +244,7 @@ TrialResult judged_trial(const CaseAnswer& answer, const OperabilityDescription&
 OperabilityResults run_operability(const CaseBase& base, const OperabilityConduct& conduct) {
   const OperabilityPlan plan(base.study());
   const OperabilityDescription& wanted = *base.study().operability;
+  const InterruptionScope scope(conduct.stop);
   TrialRunner runner(base, plan, conduct);
   const std::vector<SearchedCell> found = search_operability(
       plan.grid(),

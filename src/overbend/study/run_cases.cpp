@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <thread>
 
+#include "base/interruption.h"
 #include "base/require.h"
+#include "base/threads.h"
 #include "resultfiles/dynamic_reader.h"
 #include "runstore/append_file.h"
 #include "runstore/run_store.h"
@@ -55,12 +56,7 @@ class CaseWork {
       : runs_(runs), options_(options), watch_(watch), files_(files) {}
 
   void go() {
-    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t wanted = options_.threads > 0 ? static_cast<std::size_t>(options_.threads) : cores;
-    std::vector<std::thread> threads;
-    for (std::size_t i = 1; i < std::min(wanted, runs_.size()); ++i) threads.emplace_back([this] { work(); });
-    work();
-    for (std::thread& thread : threads) thread.join();
+    work_in_threads(useful_threads(options_.threads, runs_.size()), [this] { work(); });
   }
 
  private:
@@ -84,6 +80,8 @@ class CaseWork {
       return {{RunEnding::fault, fault.what()}};
     } catch (const UnusableFolder& fault) {
       return {{RunEnding::fault, fault.what()}};
+    } catch (const Interrupted&) {
+      return {{RunEnding::interrupted, "interrupted"}};
     } catch (const std::exception& fault) {
       return {{RunEnding::fault, std::string("internal fault: ") + fault.what()}};
     }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/interruption.h"
 #include "resultfiles/named_results.h"
 #include "study/stage_choice.h"
 
@@ -123,6 +124,7 @@ void compare_with_statics(const SeekModel& model, SeekOutcome& outcome) {
 
 SeekOutcome seek(const Description& description, const SeekDescription& wanted, const std::function<bool()>& stop) {
   const auto start = std::chrono::steady_clock::now();
+  const InterruptionScope scope(stop);
   const SeekModel model(description, wanted, stop);
   const bool one = model.unknowns().size() == 1 && wanted.until.size() == 1 && wanted.minimise.empty();
   SeekOutcome outcome = one ? seek_one(model, wanted.until.front()) : seek_many(model, wanted);

@@ -14,7 +14,7 @@ struct SeekOutcome {
 /// Finds what `wanted` asks for. One key with one condition is searched over all its bounds, so that every
 /// answer and every jump on the way is told; several keys, several conditions or something to minimise are searched
 /// from the model's own values to the nearest optimum, and where the conditions are not met there from the best of
-/// places over the bounds. Throws SeekFault where the search cannot begin, SeekStopped
+/// places over the bounds. Throws SeekFault where the search cannot begin, Interrupted
 /// once `stop` says so, which is asked before every model.
 SeekOutcome seek(const Description& description, const SeekDescription& wanted, const std::function<bool()>& stop = {});
 

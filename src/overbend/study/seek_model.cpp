@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <thread>
 
 #include "base/name_parts.h"
 #include "base/require.h"
+#include "base/threads.h"
 #include "base/units.h"
 #include "modelfile/chosen_keys.h"
 #include "modelfile/seek_values.h"
@@ -168,11 +168,7 @@ std::vector<const SeekPoint*> SeekHistory::at_all(const std::vector<std::vector<
       open[i]->serves = false;
     }
   };
-  std::vector<std::thread> threads;
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  for (std::size_t i = 1; i < std::min(cores, open.size()); ++i) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
+  work_in_threads(useful_threads(0, open.size()), work);
   return all;
 }
 

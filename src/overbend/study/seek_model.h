@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/interruption.h"
 #include "base/yaml_document.h"
 #include "modelfile/yaml_edit.h"
 #include "resultfiles/summary_json.h"
@@ -20,12 +21,6 @@ namespace overbend {
 class SeekFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-};
-
-/// A search that was told to end.
-class SeekStopped : public std::runtime_error {
- public:
-  SeekStopped() : std::runtime_error("the goal seek was interrupted") {}
 };
 
 /// One set of values and what they lead to.
@@ -52,9 +47,9 @@ class SeekModel {
   /// it.
   SeekPoint solve(const std::vector<double>& values, const StaticSolution* start) const;
 
-  /// Throws SeekStopped where the search shall end.
+  /// Throws Interrupted where the search shall end.
   void go_on() const {
-    if (stop_ && stop_()) throw SeekStopped();
+    if (stop_ && stop_()) throw Interrupted();
   }
 
   /// What puts the values into the text of the model, in the units of its keys and with so many significant digits.
@@ -76,7 +71,7 @@ class SeekHistory {
  public:
   explicit SeekHistory(const SeekModel& model) : model_(model) {}
 
-  /// Solves, or finds among what was solved already. Both throw SeekStopped.
+  /// Solves, or finds among what was solved already. Both throw Interrupted.
   const SeekPoint& at(const std::vector<double>& values);
   /// Several at once, on as many threads as there are cores. All start from the point nearest to `around`.
   std::vector<const SeekPoint*> at_all(const std::vector<std::vector<double>>& values,

@@ -1,5 +1,6 @@
 #include "study/seek_run.h"
 
+#include "base/interruption.h"
 #include "modelfile/moved_text.h"
 #include "modelfile/yaml_reader.h"
 #include "report/report.h"
@@ -51,6 +52,7 @@ void write_statics(const SeekRun& run, const fs::path& folder) {
 }  // namespace
 
 SeekRun run_seek(const Description& description, const SeekDescription& wanted, const std::function<bool()>& stop) {
+  const InterruptionScope scope(stop);
   SeekOutcome outcome = seek(description, wanted, stop);
   SeekRun run{std::move(outcome.results), {}, {}};
   if (!run.results.found) return run;

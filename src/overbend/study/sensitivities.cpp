@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/interruption.h"
 #include "model/station.h"
 #include "modelfile/model_inputs.h"
 #include "modelfile/tolerances.h"
@@ -71,6 +72,7 @@ class Sensitivities {
 
   SensitivityResults find() {
     for (std::size_t i = 0; i < values_.inputs().size(); ++i) {
+      check_interruption();
       if (is_wanted(values_.inputs()[i])) look_at(i);
     }
     return gathered();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/interruption.h"
 #include "report/comparison_page.h"
 #include "resultfiles/comparison_writer.h"
 #include "resultfiles/dynamic_reader.h"
@@ -149,8 +150,10 @@ void gather(StudyEnd& end, const StudyPlan& plan, const std::vector<CaseRun>& ru
 
 }  // namespace
 
-StudyEnd run_study(const Description& base, const StudyPlan& plan, const fs::path& folder, const CaseOptions& options,
-                   CaseWatch& watch, FileLock& files) {
+namespace {
+
+StudyEnd run_to_end(const Description& base, const StudyPlan& plan, const fs::path& folder, const CaseOptions& options,
+                    CaseWatch& watch, FileLock& files) {
   StudyEnd end;
   std::vector<CaseRun> runs;
   static_cast<RunEnd&>(end) = prepare(base, plan, folder, runs);
@@ -171,6 +174,20 @@ StudyEnd run_study(const Description& base, const StudyPlan& plan, const fs::pat
     static_cast<RunEnd&>(end) = {RunEnding::wrong_input, fault.what()};
   }
   return end;
+}
+
+}  // namespace
+
+StudyEnd run_study(const Description& base, const StudyPlan& plan, const fs::path& folder, const CaseOptions& options,
+                   CaseWatch& watch, FileLock& files) {
+  const InterruptionScope scope([&] { return watch.stop(); });
+  try {
+    return run_to_end(base, plan, folder, options, watch, files);
+  } catch (const Interrupted&) {  // before or after the runs
+    StudyEnd end;
+    static_cast<RunEnd&>(end) = {RunEnding::interrupted, "interrupted"};
+    return end;
+  }
 }
 
 }  // namespace overbend

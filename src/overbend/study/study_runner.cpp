@@ -9,8 +9,9 @@
 #include <functional>
 #include <map>
 #include <mutex>
-#include <thread>
 
+#include "base/interruption.h"
+#include "base/threads.h"
 #include "report/study_page.h"
 #include "report/warning_weight.h"
 #include "resultfiles/study_writer.h"
@@ -74,13 +75,14 @@ class StudyWork {
     list_open();
     list_blocks();
     watch_.begin(open_.size(), tally_.before);
-    if (!open_.empty() && is_static()) start_ = base_start(base_);
-    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t wanted = options_.threads > 0 ? static_cast<std::size_t>(options_.threads) : cores;
-    std::vector<std::thread> threads;
-    for (std::size_t i = 1; i < std::min(wanted, blocks_.size()); ++i) threads.emplace_back([this] { work(); });
-    work();
-    for (std::thread& thread : threads) thread.join();
+    const InterruptionScope scope([this] { return watch_.stop(); });
+    try {
+      if (!open_.empty() && is_static()) start_ = base_start(base_);
+    } catch (const Interrupted&) {
+      tally_.interrupted = true;
+      return tally_;
+    }
+    work_in_threads(useful_threads(options_.threads, blocks_.size()), [this] { work(); });
     if (fault_) std::rethrow_exception(fault_);
     tally_.interrupted = handled_ < open_.size();
     return tally_;
@@ -123,6 +125,8 @@ class StudyWork {
   void work() {
     try {
       for (std::size_t i = next_++; i < blocks_.size() && !ends(); i = next_++) run(blocks_[i]);
+    } catch (const Interrupted&) {
+      stopped_ = true;
     } catch (...) {
       const std::lock_guard<std::mutex> hold(mutex_);
       if (!fault_) fault_ = std::current_exception();

@@ -2,6 +2,7 @@
 
 #include <mutex>
 
+#include "base/interruption.h"
 #include "runstore/staged_folder.h"
 #include "study/operability_folder.h"
 
@@ -19,6 +20,22 @@ bool find_limits(const CaseBase& base, const std::filesystem::path& folder, cons
   return !watch.stop();
 }
 
+/// Cases and tables; whether it came to their end.
+bool run_and_gather(const CaseBase& base, const StudyCases& cases, const std::filesystem::path& folder,
+                    const StudyRunOptions& options, StudyWatch& watch, WholeStudy& whole) {
+  const InterruptionScope scope([&] { return watch.stop(); });
+  if (base.study().operability) {
+    if (!find_limits(base, folder, options, watch)) return false;
+  } else {
+    whole.tally = run_study_cases(base, cases, folder, options, watch);
+    if (whole.tally.interrupted) return false;
+  }
+  if (!options.tables) return true;
+  const std::lock_guard hold(hdf5_lock());
+  whole.results = gather_study(folder);
+  return true;
+}
+
 }  // namespace
 
 WholeStudy run_whole_study(const CaseBase& base, const std::filesystem::path& folder, const StudyRunOptions& options,
@@ -32,18 +49,11 @@ WholeStudy run_whole_study(const CaseBase& base, const std::filesystem::path& fo
     return whole;
   }
   bool finished = false;
-  if (base.study().operability) {
-    finished = find_limits(base, folder, options, watch);
-  } else {
-    whole.tally = run_study_cases(base, cases, folder, options, watch);
-    finished = !whole.tally.interrupted;
+  try {
+    finished = run_and_gather(base, cases, folder, options, watch, whole);
+  } catch (const Interrupted&) {  // between the cases
   }
-  if (!finished) {
-    static_cast<RunEnd&>(whole) = {RunEnding::interrupted, "interrupted"};
-  } else if (options.tables) {
-    const std::lock_guard hold(hdf5_lock());
-    whole.results = gather_study(folder);
-  }
+  if (!finished) static_cast<RunEnd&>(whole) = {RunEnding::interrupted, "interrupted"};
   return whole;
 }
 

@@ -1,0 +1,28 @@
+/// Advancing a run by one row of output.
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "base/interruption.h"
+
+namespace overbend {
+
+/// Steps to the next row of output; `Run`: a Simulation or a SystemRun. False if the run is cancelled and the row is
+/// not reached soon after: checkpoints are exact at rows only, so the last one remains. Stops at a failed step, see
+/// failure() of the run.
+template <class Run>
+bool reach_row(Run& run) {
+  using SteadyClock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kPatience(400);
+  const double row = run.next_row();
+  std::optional<SteadyClock::time_point> asked;
+  while (run.time() < row && run.step()) {
+    if (!interruption_wanted()) continue;
+    if (!asked) asked = SteadyClock::now();
+    if (SteadyClock::now() - *asked > kPatience && run.time() < row) return false;
+  }
+  return true;
+}
+
+}  // namespace overbend
