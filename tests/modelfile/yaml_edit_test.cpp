@@ -168,5 +168,19 @@ TEST(yaml_edit, a_tree_takes_the_same_simple_changes_as_the_text) {
   EXPECT_FALSE(edit_tree(root, {{"a", Kind::remove, ""}}));
 }
 
+TEST(yaml_edit, a_path_deeper_than_any_key_is_refused_shortly) {
+  std::string path = "a";
+  for (int i = 0; i < 30000; ++i) path += ".a";
+  try {
+    edit_yaml("b: 1\n", {{path, YamlChange::Kind::scalar, "2"}});
+    FAIL() << "accepted";
+  } catch (const YamlEditFault& fault) {
+    EXPECT_LT(std::string(fault.what()).size(), 200U);
+  }
+  YamlNode root;
+  root.kind = YamlNode::Kind::map;
+  EXPECT_FALSE(edit_tree(root, {{path, YamlChange::Kind::scalar, "2"}}));
+}
+
 }  // namespace
 }  // namespace overbend

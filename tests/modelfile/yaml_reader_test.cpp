@@ -33,14 +33,29 @@ TEST(yaml_reader, every_model_of_the_repository_is_read_without_a_word) {
 
 // Thirty thousand keys: compared each with each they would take seconds.
 TEST(yaml_reader, a_key_that_comes_twice_is_found_among_very_many) {
-  std::string text = "overbend: 1\nrollers:\n";
-  for (int i = 0; i < 30000; ++i) text += "  k" + std::to_string(i) + ": 1\n";
-  const ModelReading reading = read_model_text(text + "  k7: 1\n", "many.yaml");
+  std::string text = "overbend: 1\n";
+  for (int i = 0; i < 30000; ++i) text += "k" + std::to_string(i) + ": 1\n";
+  const ModelReading reading = read_model_text(text + "k7: 1\n", "many.yaml");
   EXPECT_GT(reading.diagnostics.error_count(), 30000);
   const std::vector<std::string> lines = reading.diagnostics.lines(Severity::error);
   EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
-    return line.find("rollers.k7") != std::string::npos && line.find("already in line 10") != std::string::npos;
+    return line.find(": k7") != std::string::npos && line.find("already in line 9") != std::string::npos;
   }));
+}
+
+TEST(yaml_reader, lists_and_groups_longer_than_anything_sensible_are_one_error) {
+  std::string kinds = "rollers:\n", profile = "environment:\n  water_depth: 40 m\n  current:\n";
+  for (int i = 0; i < 10001; ++i) {
+    kinds += "  k" + std::to_string(i) + ": {bottom: {radius: 0.15 m, face: 1 m}}\n";
+    profile += "    - {depth: 1 m, speed: 1 m/s, towards: 0 deg}\n";
+  }
+  const std::string all = "overbend: 1\n" + kinds + profile;
+  int found = 0;
+  for (const std::string& line : read_model_text(all, "long.yaml").diagnostics.lines(Severity::error)) {
+    found += line.find("a group of 10001 keys, expected at most 10000") != std::string::npos ? 1 : 0;
+    found += line.find("a list of 10001, expected at most 10000") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_EQ(found, 2);
 }
 
 TEST(yaml_reader, the_example_arrives_in_si) {

@@ -31,6 +31,9 @@ struct Range {
   }
 };
 
+/// Items of a list, keys of a map: more are a mistake, and would keep whoever reads them busy.
+inline constexpr int kMaxItems = 10000;
+
 /// A row of the table. Paths read `pipe.coatings[].thickness` (an item of a list) and `rollers.*.bottom` (any name).
 ///
 /// A key may have two rows of different shape, `vessel.motion` as a word or as a map: what stands in the file decides.
@@ -48,7 +51,7 @@ struct Field {
   Range range = {};
   Range usual = {};                       ///< Outside is accepted with a warning: mostly a slip of units.
   std::vector<std::string> choices = {};  ///< Where not given: the words of the member's enumeration.
-  int least = 0, most = std::numeric_limits<int>::max();  ///< Items of a list, keys of a map.
+  int least = 0, most = kMaxItems;        ///< Items of a list, keys of a map.
 };
 
 /// Fills in what the member settles: the default, written as a user would, and the choices.

@@ -90,13 +90,12 @@ class FieldReader {
 
   std::optional<FieldValue> read_map(const YamlNode& node, const FieldNode& field, const std::string& path, int line) {
     FieldValue map = container(FieldValue::Kind::map, path, line);
-    check_count(node, field, path, line);
+    if (!check_count(node, field, path, line)) return std::nullopt;
     std::set<std::string> seen;
     for (const YamlEntry& entry : node.entries) {
       const FieldNode* member = field.member(entry.key);
       if (member == nullptr || entry.key.empty()) {
-        refuse_key(entry, field, path);
-        map.refused.push_back(nearest_word(entry.key, field.member_names()));
+        refuse_key(entry, field, path, map);
       } else if (seen.insert(entry.key).second) {
         read_member(entry, *member, path, map);
       }
@@ -120,21 +119,32 @@ class FieldReader {
     map.children.push_back(std::move(*value));
   }
 
-  void check_count(const YamlNode& node, const FieldNode& field, const std::string& path, int line) {
+  /// False where there are so many keys that nobody has to look at them.
+  bool check_count(const YamlNode& node, const FieldNode& field, const std::string& path, int line) {
     const int count = static_cast<int>(node.entries.size());
-    if (count >= field.map->least && count <= field.map->most) return;
-    complain(
-        line, path, count == 0 ? "an empty group" : "a group of " + std::to_string(count) + " keys",
-        (count < field.map->least ? "at least " + std::to_string(field.map->least) : std::to_string(field.map->most)) +
-            " of " + join_words(field.member_names(), "or"),
-        "");
+    if (count >= field.map->least && count <= field.map->most) return true;
+    const std::string found = count == 0 ? "an empty group" : "a group of " + std::to_string(count) + " keys";
+    const std::string most = std::to_string(field.map->most);
+    if (field.map->most == kMaxItems && count > kMaxItems) {
+      complain(line, path, found, "at most " + most, "");
+      return false;
+    }
+    complain(line, path, found,
+             (count < field.map->least ? "at least " + std::to_string(field.map->least) : most) + " of " +
+                 join_words(field.member_names(), "or"),
+             "");
+    return true;
   }
 
-  void refuse_key(const YamlEntry& entry, const FieldNode& field, const std::string& path) {
+  /// Of a file that is no model only the number of faults is of interest.
+  void refuse_key(const YamlEntry& entry, const FieldNode& field, const std::string& path, FieldValue& map) {
+    constexpr int kExplained = 1000;
+    if (diagnostics_.error_count() > kExplained) return complain(entry.line, "", "an unknown key", "", "");
     const std::vector<std::string> known = field.member_names();
     const std::string near = nearest_word(entry.key, known);
     complain(entry.line, joined(path, for_display(entry.key)), "an unknown key", one_of(known),
              key_hint(entry.key, near));
+    map.refused.push_back(near);
   }
 
   static std::string key_hint(const std::string& key, const std::string& near) {

@@ -68,7 +68,7 @@ Json scalar_schema(const Field& field) {
 
 void add_counts(const Field& field, const char* least, const char* most, Json& schema) {
   if (field.least > 0) schema[least] = field.least;
-  if (field.most < std::numeric_limits<int>::max()) schema[most] = field.most;
+  if (field.most < kMaxItems) schema[most] = field.most;
 }
 
 Json map_schema(const FieldNode& node) {

@@ -59,7 +59,9 @@ std::string fallback_cell(const Field& field) {
 std::string range_cell(const Field& field) {
   if (field.kind == FieldKind::list || field.kind == FieldKind::map) {
     if (field.least > 0 && field.least == field.most) return "exactly " + std::to_string(field.least);
-    return field.least > 0 ? "at least " + std::to_string(field.least) : "";
+    const std::string least = field.least > 0 ? "at least " + std::to_string(field.least) : "";
+    const std::string most = field.most < kMaxItems ? "at most " + std::to_string(field.most) : "";
+    return least + (least.empty() || most.empty() ? "" : ", ") + most;
   }
   return range_words(field, field.range);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/interruption.h"
+#include "base/text.h"
 #include "modelfile/yaml_extent.h"
 #include "modelfile/yaml_path.h"
 
@@ -228,10 +230,20 @@ YamlNode* node_at(YamlNode& root, const std::string& path) {
   return &at->entries.back().value;
 }
 
+/// A path deeper than any key would be written out on as many lines, each further in than the one before.
+bool too_deep(const std::string& path) {
+  constexpr std::size_t kMaxLength = 4000;
+  constexpr std::ptrdiff_t kMaxDepth = 64;
+  const auto steps = std::ranges::count_if(path, [](char c) { return c == '.' || c == '['; });
+  return path.size() > kMaxLength || steps > kMaxDepth;
+}
+
 }  // namespace
 
 bool edit_tree(YamlNode& root, const std::vector<YamlChange>& changes) {
   for (const YamlChange& change : changes) {
+    check_interruption();
+    if (too_deep(change.path)) return false;
     YamlNode* node = change.kind == YamlChange::Kind::scalar ? node_at(root, change.path) : nullptr;
     if (node == nullptr || !node->items.empty() || !node->entries.empty()) return false;
     if (node->line == 0) node->line = root.line;
@@ -262,6 +274,10 @@ std::string yaml_scalar(const std::string& text) {
 std::string edit_yaml(const std::string& text, const std::vector<YamlChange>& changes) {
   std::string now = text;
   for (const YamlChange& change : changes) {
+    check_interruption();
+    if (too_deep(change.path)) {
+      throw YamlEditFault("'" + for_display(change.path) + "' cannot be set: it is deeper than any key of a model");
+    }
     try {
       now = edited(now, change);
     } catch (const std::runtime_error& fault) {

@@ -80,20 +80,23 @@ ModelReading read_model_text(const std::string& text, const std::string& path) {
     return refused(path, "not a text file: a byte here is no UTF-8 character; a model file is YAML text",
                    line_of(text, garbage));
   }
-  ModelReading reading;
-  const std::optional<YamlNode> root = parse_yaml(text, path, reading.diagnostics);
-  if (!root) {
-    if (!reading.diagnostics.has_errors()) {
-      return refused(path, "the file is empty; `overbend new` writes one to start from");
-    }
-    return reading;
+  Diagnostics faults;
+  std::optional<YamlNode> root = parse_yaml(text, path, faults);
+  return read_model_tree(root ? std::make_shared<const YamlNode>(std::move(*root)) : nullptr, faults, text, path);
+}
+
+ModelReading read_model_tree(std::shared_ptr<const YamlNode> tree, const Diagnostics& faults, const std::string& text,
+                             const std::string& path) {
+  ModelReading reading{std::nullopt, faults, std::move(tree)};
+  if (!reading.tree) {
+    return faults.has_errors() ? reading : refused(path, "the file is empty; `overbend new` writes one to start from");
   }
-  if (root->kind != YamlNode::Kind::map) {
-    return reading.diagnostics.has_errors()
-               ? std::move(reading)
-               : refused(path, "not a model file: keys such as 'overbend: 1' are expected", root->line);
+  if (reading.tree->kind != YamlNode::Kind::map) {
+    return faults.has_errors()
+               ? reading
+               : refused(path, "not a model file: keys such as 'overbend: 1' are expected", reading.tree->line);
   }
-  read_tree(*root, path, Files::all, reading);
+  read_tree(*reading.tree, path, Files::all, reading);
   if (reading.description) reading.description->source_text = text;
   return reading;
 }

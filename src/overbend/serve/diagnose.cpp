@@ -29,38 +29,67 @@ std::optional<int> column_of_value(const YamlNode& root, const std::string& path
   return std::nullopt;
 }
 
-/// First column of a line that is not blank.
-int first_column(const std::string& text, int line) {
-  std::size_t begin = 0;
-  for (int i = 1; i < line && begin != std::string::npos; ++i) {
-    const std::size_t end = text.find('\n', begin);
-    begin = end == std::string::npos ? end : end + 1;
+/// Places in a text by line and column.
+class Lines {
+ public:
+  explicit Lines(const std::string& text) : text_(text) {
+    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', end + 1)) {
+      begins_.push_back(end + 1);
+    }
   }
-  if (begin == std::string::npos) return 1;
-  const std::size_t at = text.find_first_not_of(' ', begin);
-  return at == std::string::npos || text[at] == '\n' ? 1 : static_cast<int>(at - begin) + 1;
+
+  /// First column of a line that is not blank.
+  int first_column(int line) const {
+    const auto number = static_cast<std::size_t>(line - 1);
+    if (number >= begins_.size()) return 1;
+    const std::size_t at = text_.find_first_not_of(' ', begins_[number]);
+    return at == std::string::npos || text_[at] == '\n' ? 1 : static_cast<int>(at - begins_[number]) + 1;
+  }
+
+ private:
+  const std::string& text_;
+  std::vector<std::size_t> begins_ = {0};
+};
+
+constexpr std::size_t kMaxShown = 200;
+
+Json listed(const Diagnostics& diagnostics, const std::string& text, const YamlNode* root) {
+  Json all = Json::array();
+  const std::vector<Diagnostic> sorted = diagnostics.sorted();
+  const Lines lines(text);
+  for (std::size_t i = 0; i < std::min(sorted.size(), kMaxShown); ++i) {
+    const Diagnostic& diagnostic = sorted[i];
+    const int line = std::max(diagnostic.line, 1);
+    std::optional<int> column;
+    if (diagnostic.column > 0) column = diagnostic.column;
+    if (!column && root != nullptr) column = column_of_value(*root, diagnostic.key, line);
+    all.push_back({{"severity", diagnostic.severity == Severity::error ? "error" : "warning"},
+                   {"line", line},
+                   {"column", column.value_or(lines.first_column(line))},
+                   {"key", diagnostic.key},
+                   {"message", message_of(diagnostic)}});
+  }
+  const std::size_t count = std::max(sorted.size(), static_cast<std::size_t>(diagnostics.error_count()));
+  if (count > kMaxShown) {
+    all.push_back({{"severity", diagnostics.has_errors() ? "error" : "warning"},
+                   {"line", sorted[kMaxShown - 1].line},
+                   {"column", 1},
+                   {"key", ""},
+                   {"message", "and " + std::to_string(count - kMaxShown) + " more"}});
+  }
+  return all;
 }
 
 }  // namespace
 
 Json diagnostics_json(const Diagnostics& diagnostics, const std::string& text) {
-  Json all = Json::array();
-  const std::vector<Diagnostic> sorted = diagnostics.sorted();
-  if (sorted.empty()) return all;
   Diagnostics ignored;
-  const std::optional<YamlNode> root = parse_yaml(text, "", ignored);
-  for (const Diagnostic& diagnostic : sorted) {
-    const int line = std::max(diagnostic.line, 1);
-    std::optional<int> column;
-    if (diagnostic.column > 0) column = diagnostic.column;
-    if (!column && root) column = column_of_value(*root, diagnostic.key, line);
-    all.push_back({{"severity", diagnostic.severity == Severity::error ? "error" : "warning"},
-                   {"line", line},
-                   {"column", column.value_or(first_column(text, line))},
-                   {"key", diagnostic.key},
-                   {"message", message_of(diagnostic)}});
-  }
-  return all;
+  const std::optional<YamlNode> root = diagnostics.sorted().empty() ? std::nullopt : parse_yaml(text, "", ignored);
+  return listed(diagnostics, text, root ? &*root : nullptr);
+}
+
+Json diagnostics_json(const ModelReading& reading, const std::string& text) {
+  return listed(reading.diagnostics, text, reading.tree.get());
 }
 
 }  // namespace overbend

@@ -7,7 +7,10 @@
 namespace overbend {
 
 /// `[{severity, line, column, key, message}]`, lines and columns from 1. `text` is the text read, from which the
-/// columns follow.
+/// columns follow. The first 200, and how many there are besides.
 Json diagnostics_json(const Diagnostics& diagnostics, const std::string& text);
+
+/// The same of a model's text that was read; parses nothing again.
+Json diagnostics_json(const ModelReading& reading, const std::string& text);
 
 }  // namespace overbend

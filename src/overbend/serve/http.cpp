@@ -1,8 +1,13 @@
 #include "serve/http.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
 #include <optional>
 #include <string_view>
 
+#include "base/interruption.h"
 #include "base/units.h"
 #include "runstore/append_file.h"
 
@@ -37,9 +42,41 @@ std::optional<std::vector<std::string>> match(const std::string& pattern, const 
   return parts;
 }
 
+/// Levels of a text of JSON. The library's parser looks through all of a list after each of its items where it is given
+/// a function that could see them.
+int nesting_depth(std::string_view text) {
+  int depth = 0, deepest = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '\\') ++i;
+      if (c == '"') quoted = false;
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '[' || c == '{') {
+      deepest = std::max(deepest, ++depth);
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return deepest;
+}
+
+/// Of this thread.
+std::chrono::nanoseconds processor_time() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
+}
+
 HttpAnswer answer_guarded(const HttpRoute& route, const HttpRequest& request) {
+  const InterruptionScope scope([until = processor_time() + route.limit] { return processor_time() > until; });
   try {
     return route.handler(request);
+  } catch (const Interrupted&) {
+    return error_answer(503, fmt::format("the request takes more than {} s", route.limit.count()),
+                        "make the model smaller, or start a run, which takes as long as it needs");
   } catch (const HttpFault& fault) {
     Json error = {{"message", fault.what()}, {"hint", fault.hint}};
     error.update(fault.more);
@@ -71,12 +108,8 @@ double HttpRequest::number(const std::string& name, double fallback) const {
 }
 
 Json HttpRequest::json() const {
-  const auto shallow = [](int depth, Json::parse_event_t event, const Json&) {
-    const bool opens = event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
-    if (opens && depth >= kDeepest) throw HttpFault(400, "the body of the request is nested too deeply");
-    return true;
-  };
-  Json read = Json::parse(body.empty() ? "{}" : body, shallow, false);
+  if (nesting_depth(body) > kDeepest) throw HttpFault(400, "the body of the request is nested too deeply");
+  Json read = Json::parse(body.empty() ? "{}" : body, nullptr, false);
   if (!read.is_object()) throw HttpFault(400, "the body of the request is not a JSON object");
   return read;
 }

@@ -1,6 +1,7 @@
 /// Requests and answers as the handlers see them; the library behind stays in serve/http_server.cpp.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -44,13 +45,17 @@ class HttpFault : public std::runtime_error {
   Json beside = Json::object();  ///< Beside `error`.
 };
 
+/// Processor time that an answer may take: of most routes, and of those that search or solve again and again.
+inline constexpr std::chrono::seconds kShortLimit{10}, kLongLimit{600};
+
 struct HttpRoute {
   std::string method, pattern;  ///< "/api/runs/*/summary": '*' matches one part.
   std::function<HttpAnswer(const HttpRequest&)> handler;
+  std::chrono::seconds limit = kShortLimit;
 };
 
 /// Answers a request by the first route that fits: 404 where none does, 405 where only the method does not; faults and
-/// exceptions become error answers.
+/// exceptions become error answers. 503 where it takes more than its limit, or shall end otherwise.
 HttpAnswer answer_by_routes(const std::vector<HttpRoute>& routes, HttpRequest request);
 
 }  // namespace overbend

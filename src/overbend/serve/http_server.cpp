@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/interruption.h"
 #include "serve/door_server.h"
 #include "serve/page_files.h"
 #include "serve/peer.h"
@@ -117,6 +118,7 @@ HttpServer::HttpServer(std::vector<HttpRoute> routes, EventHub& events, int port
 }
 
 HttpServer::~HttpServer() {
+  closing_ = true;
   events_.close();
   while (!library_->server.is_running()) std::this_thread::yield();  // stop() before the start would be lost
   library_->server.stop();
@@ -167,6 +169,7 @@ void HttpServer::guard() {
 void HttpServer::serve_routes() {
   httplib::Server& server = library_->server;
   const auto by_routes = [this](const httplib::Request& request, httplib::Response& response) {
+    const InterruptionScope scope([this] { return closing_.load(); });
     fill(response, answer_by_routes(routes_, request_of(request)));
   };
   server.Get("/api/.*", by_routes);

@@ -1,6 +1,7 @@
 /// HTTP on the loopback address: guards the door, hands requests to routes, sends events and the page's files.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <thread>
@@ -50,6 +51,7 @@ class HttpServer {
   OneTimeCode code_;
   int port_ = 0;
   std::unique_ptr<Library> library_;
+  std::atomic<bool> closing_{false};  ///< Answers shall end.
   std::thread thread_;
 };
 

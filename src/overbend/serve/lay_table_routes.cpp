@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/interruption.h"
 #include "modelfile/yaml_reader.h"
 #include "report/lay_table_data.h"
 #include "resultfiles/lay_table_writer.h"
@@ -96,12 +97,20 @@ class ScratchFile {
 Json LayTables::make(const ModelText& model, const Json& request) {
   const ModelReading reading = read_model_text(model.text, model.path);
   if (!reading.description) {
-    return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading.diagnostics, model.text)}};
+    return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading, model.text)}};
   }
   if (!reading.description->has_pipe) throw HttpFault(422, "a lay table needs a model with a pipe");
   const LayTableDescription wanted = asked(*reading.description, request);
+  const std::uint64_t mine = ++asked_;
   const std::lock_guard one_at_a_time(work_);
-  auto table = std::make_shared<const LayTable>(make_lay_table(*reading.description, wanted));
+  const InterruptionScope scope([&] { return asked_ != mine; });
+  std::shared_ptr<const LayTable> table;
+  try {
+    table = std::make_shared<const LayTable>(make_lay_table(*reading.description, wanted));
+  } catch (const Interrupted&) {
+    if (asked_ == mine) throw;
+    throw HttpFault(409, "another lay table has been asked for since");
+  }
   const std::lock_guard lock(mutex_);
   last_ = table;
   return table_json(*table);
@@ -127,7 +136,8 @@ HttpAnswer LayTables::xlsx() const {
 
 void add_lay_table_routes(std::vector<HttpRoute>& routes, OpenModel& model, LayTables& tables) {
   routes.push_back({"POST", "/api/lay-table",
-                    [&](const HttpRequest& request) { return json_answer(tables.make(model.now(), request.json())); }});
+                    [&](const HttpRequest& request) { return json_answer(tables.make(model.now(), request.json())); },
+                    kLongLimit});
   routes.push_back({"GET", "/api/lay-table.csv", [&](const HttpRequest&) { return tables.csv(); }});
   routes.push_back({"GET", "/api/lay-table.xlsx", [&](const HttpRequest&) { return tables.xlsx(); }});
 }

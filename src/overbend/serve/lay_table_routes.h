@@ -1,6 +1,8 @@
 /// Lay tables of the open model.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 
@@ -23,6 +25,7 @@ class LayTables {
  private:
   std::shared_ptr<const LayTable> last() const;
 
+  std::atomic<std::uint64_t> asked_{0};  ///< Number of the newest request; those before it end.
   std::mutex work_;
   mutable std::mutex mutex_;
   std::shared_ptr<const LayTable> last_;

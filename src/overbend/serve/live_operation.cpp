@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "base/interruption.h"
 #include "model/lay_stage.h"
 #include "modelfile/yaml_reader.h"
 #include "report/operation_report.h"
@@ -33,18 +34,24 @@ Json LiveOperation::solve(const ModelText& model) {
   const std::uint64_t mine = ++asked_;
   const ModelReading reading = read_model_text(model.text, model.path);
   if (!reading.description) {
-    return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading.diagnostics, model.text)}};
+    return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading, model.text)}};
   }
   const Description& description = *reading.description;
   if (lay_stages(description).empty()) {
     throw HttpFault(422, "the model has no operation on the line", "give operation.type and operation.stages");
   }
   const std::lock_guard<std::mutex> hold(solving_);
+  const InterruptionScope scope([&] { return asked_ != mine; });
   std::size_t done = 0;
-  OperationResults results = solve_operation(description, [&](const StageResult& stage, std::size_t of) {
-    events_.send("stage", progress_json(stage, ++done, of), "stage");
-    return asked_ == mine;
-  });
+  OperationResults results;
+  try {
+    results = solve_operation(description, [&](const StageResult& stage, std::size_t of) {
+      events_.send("stage", progress_json(stage, ++done, of), "stage");
+      return asked_ == mine;
+    });
+  } catch (const Interrupted&) {
+    if (asked_ == mine) throw;
+  }
   if (asked_ != mine) return {{"status", "overtaken"}};
   Json answer = {{"status", "solved"}, {"revision", model.revision}};
   answer.update(page_operation(PageStyle{}, results, head_length_of(description.operation.lay)));
@@ -71,8 +78,8 @@ std::string LiveOperation::report() const {
 }
 
 void add_operation_routes(std::vector<HttpRoute>& routes, OpenModel& model, LiveOperation& operation) {
-  routes.push_back(
-      {"POST", "/api/operation", [&](const HttpRequest&) { return json_answer(operation.solve(model.now())); }});
+  routes.push_back({"POST", "/api/operation",
+                    [&](const HttpRequest&) { return json_answer(operation.solve(model.now())); }, kLongLimit});
   routes.push_back({"GET", "/api/operation/stages/*", [&](const HttpRequest& request) {
                       return json_answer(operation.stage(number_of(request.parts[0])));
                     }});

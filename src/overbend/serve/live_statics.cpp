@@ -1,9 +1,12 @@
 #include "serve/live_statics.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 
+#include "base/interruption.h"
 #include "modelfile/yaml_edit.h"
 #include "modelfile/yaml_reader.h"
 #include "report/json_number.h"
@@ -26,8 +29,8 @@ double milliseconds_since(Clock::time_point start) {
   return seven_digits(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
 }
 
-Json invalid(const Diagnostics& diagnostics, const std::string& text) {
-  return {{"status", "invalid"}, {"diagnostics", diagnostics_json(diagnostics, text)}};
+Json invalid(const ModelReading& reading, const std::string& text) {
+  return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading, text)}};
 }
 
 std::string with_changes(const ModelText& model, const std::vector<YamlChange>& changes) {
@@ -58,22 +61,24 @@ std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> stamps_o
 }  // namespace
 
 /// Another file or another set of rollers is another lay: nothing to start from.
-bool LiveStatics::close_to_last(const Model& model) const {
-  return last_.has_value() && model.description.source_file == last_file_ &&
-         model.supports.rollers.size() == last_rollers_;
+bool LiveStatics::close_by(const Last& last, const Model& model) {
+  return model.description.source_file == last.file && model.supports.rollers.size() == last.rollers;
 }
 
 Json LiveStatics::solve(Model model, const StaticWish& wish) {
   // While a value is dragged the stages of an operation can wait.
   if (wish.lists) model.description.operation = {};
-  const bool near = !wish.full && close_to_last(model);
+  std::unique_lock<std::mutex> hold(mutex_);
+  const std::shared_ptr<const Last> last = last_;
+  hold.unlock();
+  const bool near = !wish.full && last && close_by(*last, model);
   bool warm = near && !(model.description.has_pipe && pushed_sideways(model) && !wish.lists);
   const auto start = Clock::now();
-  ModelStatics found = solve_model(model, warm ? &*last_ : nullptr);
+  ModelStatics found = solve_model(model, warm ? &last->solution : nullptr);
   if (found.failure && near && !warm) {
     warm = true;
     model = build_model(model.description);  // as it was before the attempt
-    found = solve_model(model, &*last_);
+    found = solve_model(model, &last->solution);
   }
   // Found only from the last one, a lay that is pushed sideways is not the one that a run would find.
   if (warm && found.lay && pushed_sideways(model)) found.lay->warnings.emplace_back(kFromTheLast);
@@ -82,9 +87,12 @@ Json LiveStatics::solve(Model model, const StaticWish& wish) {
     const StaticFailure& f = *found.failure;
     return {{"status", "failed"}, {"what", f.what}, {"where", f.where}, {"why", f.why}};
   }
-  last_ = std::move(found.solution);
-  last_file_ = model.description.source_file;
-  last_rollers_ = model.supports.rollers.size();
+  if (found.solution) {
+    hold.lock();
+    last_ = std::make_shared<const Last>(
+        Last{std::move(*found.solution), model.description.source_file, model.supports.rollers.size()});
+    hold.unlock();
+  }
   Json answer = {{"status", "converged"}, {"elapsed_ms", 0.0}, {"solve_ms", solve_ms}, {"warm", warm}};
   answer.update(found.lines      ? static_json(*found.lines)
                 : found.moorings ? static_json(*found.moorings)
@@ -92,45 +100,60 @@ Json LiveStatics::solve(Model model, const StaticWish& wish) {
   return answer;
 }
 
-void LiveStatics::parse(const ModelText& model) {
-  if (parsed_ && parsed_text_ == model.text && (!hull_ || stamps_of(*hull_) == hull_stamps_)) return;
-  Diagnostics faults;
-  parsed_ = parse_yaml(model.text, model.path, faults);
-  parsed_text_ = model.text;
-  hull_.reset();
-  if (faults.has_errors()) parsed_.reset();
-  if (!parsed_ || parsed_->kind != YamlNode::Kind::map) return;
-  const ModelReading still = read_still_model(*parsed_, model.path);
-  if (!still.description || !still.description->vessel.coupled) return;
-  const ModelReading whole = read_model_text(model.text, model.path);
-  if (whole.description) hull_ = whole.description->vessel.coupled;
-  if (hull_) hull_stamps_ = stamps_of(*hull_);
+bool LiveStatics::is_sound(const Parsed& text) {
+  return text.tree && text.tree->kind == YamlNode::Kind::map && !text.faults.has_errors();
+}
+
+std::shared_ptr<const LiveStatics::Parsed> LiveStatics::parsed(const ModelText& model) {
+  std::unique_lock<std::mutex> hold(mutex_);
+  const std::shared_ptr<const Parsed> before = parsed_;
+  hold.unlock();
+  const auto unchanged = [&] { return !before->hull || stamps_of(*before->hull) == before->hull_stamps; };
+  if (before && before->text == model.text && unchanged()) return before;
+  auto fresh = std::make_shared<Parsed>();
+  if (std::optional<YamlNode> root = parse_yaml(model.text, model.path, fresh->faults)) {
+    fresh->tree = std::make_shared<const YamlNode>(std::move(*root));
+  }
+  fresh->text = model.text;
+  if (is_sound(*fresh)) {
+    const ModelReading still = read_still_model(*fresh->tree, model.path);
+    if (still.description && still.description->vessel.coupled) {
+      const ModelReading whole = read_model_tree(fresh->tree, fresh->faults, model.text, model.path);
+      if (whole.description) fresh->hull = whole.description->vessel.coupled;
+    }
+    if (fresh->hull) fresh->hull_stamps = stamps_of(*fresh->hull);
+  }
+  hold.lock();
+  parsed_ = fresh;
+  return fresh;
 }
 
 /// The short way, without writing and reading the text; nothing where the change is not a simple one or at fault. A
 /// hull that floats free needs its files in statics: they are kept from the first reading of the text, as long as
 /// nothing of the vessel changes, which they might not fit any more.
-std::optional<Description> LiveStatics::read_changed(const ModelText& model, const std::vector<YamlChange>& changes) {
-  parse(model);
-  if (!parsed_ || parsed_->kind != YamlNode::Kind::map) return std::nullopt;
-  YamlNode root = *parsed_;
+std::optional<Description> LiveStatics::read_changed(const Parsed& text, const ModelText& model,
+                                                     const std::vector<YamlChange>& changes) {
+  if (!is_sound(text)) return std::nullopt;
+  YamlNode root = *text.tree;
   if (!edit_tree(root, changes)) return std::nullopt;
   std::optional<Description> description = read_still_model(root, model.path).description;
   if (!description || !description->vessel.coupled) return description;
   const bool of_vessel = std::ranges::any_of(changes, [](const YamlChange& c) { return c.path.starts_with("vessel"); });
-  if (of_vessel || !hull_) return std::nullopt;
-  description->vessel.coupled = hull_;
+  if (of_vessel || !text.hull) return std::nullopt;
+  description->vessel.coupled = text.hull;
   return description;
 }
 
-Json LiveStatics::solve(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish) {
-  const std::lock_guard<std::mutex> hold(mutex_);
+Json LiveStatics::answer(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish) {
   const auto start = Clock::now();
-  std::optional<Description> description = read_changed(model, changes);
+  const std::shared_ptr<const Parsed> open = parsed(model);
+  std::optional<Description> description = read_changed(*open, model, changes);
   if (!description) {
     const std::string text = with_changes(model, changes);
-    ModelReading reading = read_model_text(text, model.path);
-    if (!reading.description) return invalid(reading.diagnostics, text);
+    ModelReading reading = changes.empty() && is_sound(*open)
+                               ? read_model_tree(open->tree, open->faults, text, model.path)
+                               : read_model_text(text, model.path);
+    if (!reading.description) return invalid(reading, text);
     description = std::move(reading.description);
   }
   Json answer = solve(build_model(*description), wish);
@@ -139,9 +162,20 @@ Json LiveStatics::solve(const ModelText& model, const std::vector<YamlChange>& c
   return answer;
 }
 
+Json LiveStatics::solve(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish) {
+  try {
+    return answer(model, changes, wish);
+  } catch (const Interrupted&) {
+    return {{"status", "failed"},
+            {"what", fmt::format("the statics take more than {} s", kShortLimit.count())},
+            {"where", ""},
+            {"why", "the page waits no longer; a run of statics takes as long as it needs"}};
+  }
+}
+
 Json scene_of(const ModelText& model) {
   const ModelReading reading = read_model_text(model.text, model.path);
-  if (!reading.description) return invalid(reading.diagnostics, model.text);
+  if (!reading.description) return invalid(reading, model.text);
   return scene_json(build_model(*reading.description));
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -21,28 +22,41 @@ struct StaticWish {
   std::optional<std::vector<std::string>> lists;  ///< Of `pipe`; all when not said.
 };
 
-/// Keeps the last solution, from which the next one, a little further on, is found in few iterations. One solution at a
-/// time; may be called from any thread.
+/// Keeps the last solution, from which the next one, a little further on, is found in few iterations. May be called
+/// from any thread: none waits for another.
 class LiveStatics {
  public:
   /// The answer of POST /api/static: the model with changes on top, from the last solution or (`full`) from nothing.
   Json solve(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish);
 
  private:
-  Json solve(Model model, const StaticWish& wish);
-  bool close_to_last(const Model& model) const;
-  std::optional<Description> read_changed(const ModelText& model, const std::vector<YamlChange>& changes);
-  void parse(const ModelText& model);
+  /// A text as it was parsed last.
+  struct Parsed {
+    std::string text;
+    std::shared_ptr<const YamlNode> tree;        ///< Null where the text is no YAML.
+    Diagnostics faults;                          ///< Of parsing.
+    std::optional<CoupledHullDescription> hull;  ///< Of that text, with the contents of its files.
+    /// Of these files as they were read: another program may write them while this one runs.
+    std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> hull_stamps;
+  };
+  /// A solution with what tells whether another lay is close by.
+  struct Last {
+    StaticSolution solution;
+    std::string file;  ///< Of the model that it is a solution of.
+    std::size_t rollers = 0;
+  };
 
-  std::mutex mutex_;
-  std::string parsed_text_;  ///< What `parsed_` is the tree of.
-  std::optional<YamlNode> parsed_;
-  std::optional<CoupledHullDescription> hull_;  ///< Of that text, with the contents of its files.
-  /// Of these files as they were read: another program may write them while this one runs.
-  std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> hull_stamps_;
-  std::optional<StaticSolution> last_;
-  std::string last_file_;         ///< Of the model that it is a solution of.
-  std::size_t last_rollers_ = 0;  ///< Likewise.
+  Json answer(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish);
+  Json solve(Model model, const StaticWish& wish);
+  static bool close_by(const Last& last, const Model& model);
+  static bool is_sound(const Parsed& text);
+  static std::optional<Description> read_changed(const Parsed& text, const ModelText& model,
+                                                 const std::vector<YamlChange>& changes);
+  std::shared_ptr<const Parsed> parsed(const ModelText& model);
+
+  std::mutex mutex_;  ///< On the pointers.
+  std::shared_ptr<const Parsed> parsed_;
+  std::shared_ptr<const Last> last_;
 };
 
 /// GET /api/scene of a model's text.

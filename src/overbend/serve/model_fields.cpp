@@ -1,7 +1,6 @@
 #include "serve/model_fields.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "modelfile/field_tree.h"
 #include "modelfile/scalar_reader.h"
@@ -24,6 +23,9 @@ Json value_in_si(const YamlNode& node, const Field& row) {
   return reading.value->kind == FieldValue::Kind::number ? Json(seven_digits(reading.value->number)) : Json(nullptr);
 }
 
+constexpr std::size_t kMaxItems = 200;     ///< Of a list; of longer ones the first are fields.
+constexpr std::size_t kMaxFields = 20000;  ///< Altogether.
+
 /// Walks the table of fields and the text in parallel.
 class Lister {
  public:
@@ -32,7 +34,9 @@ class Lister {
   void members(const FieldNode& field, const YamlNode* map, const std::string& path) {
     if (field.any_name()) {
       if (map == nullptr) return;
-      for (const YamlEntry& entry : map->entries) place(*field.members.front(), &entry, joined(path, entry.key));
+      for (std::size_t i = 0; i < std::min(map->entries.size(), kMaxItems); ++i) {
+        place(*field.members.front(), &map->entries[i], joined(path, map->entries[i].key));
+      }
       return;
     }
     for (const auto& member : field.members) {
@@ -65,6 +69,7 @@ class Lister {
   }
 
   void value(const FieldNode& field, const YamlNode* node, int line, const std::string& path) {
+    if (list_.size() >= kMaxFields) return;
     const Field& row = row_of(field, node);
     add(row, node, line, path);
     if (node == nullptr) {
@@ -73,7 +78,7 @@ class Lister {
     } else if (node->kind == Kind::map && field.map != nullptr) {
       members(field, node, path);
     } else if (node->kind == Kind::list && field.list != nullptr) {
-      for (std::size_t i = 0; i < node->items.size(); ++i) {
+      for (std::size_t i = 0; i < std::min(node->items.size(), kMaxItems); ++i) {
         value(*field.item, &node->items[i], node->items[i].line, path + "[" + std::to_string(i) + "]");
       }
     }
@@ -103,12 +108,10 @@ class Lister {
 
 }  // namespace
 
-Json model_fields(const std::string& text) {
-  Diagnostics ignored;
-  const std::optional<YamlNode> root = parse_yaml(text, "", ignored);
-  if (!root || root->kind != Kind::map) return Json::array();
+Json model_fields(const YamlNode* root) {
+  if (root == nullptr || root->kind != Kind::map) return Json::array();
   Lister lister;
-  lister.members(field_tree(), &*root, "");
+  lister.members(field_tree(), root, "");
   return lister.take();
 }
 

@@ -1,5 +1,7 @@
 #include "serve/open_model.h"
 
+#include <fmt/format.h>
+
 #include "serve/diagnose.h"
 #include "serve/model_fields.h"
 
@@ -38,12 +40,15 @@ ModelText OpenModel::now() const {
   return model_;
 }
 
-void OpenModel::require(std::int64_t revision) const {
+/// Called with the mutex held, which is given back before the model is read for the answer.
+void OpenModel::require(std::int64_t revision, std::unique_lock<std::mutex>& hold) const {
   if (revision == model_.revision) return;
+  const ModelText model = model_;
+  hold.unlock();
   HttpFault fault(409, "the model has been changed elsewhere since",
                   "take the newer version, or replace it with yours");
   fault.more["reason"] = "revision";
-  fault.beside = model_json(model_);
+  fault.beside = model_json(model);
   throw fault;
 }
 
@@ -58,8 +63,8 @@ ModelText OpenModel::take(ModelText next) {
 }
 
 ModelText OpenModel::put(const std::string& text, std::int64_t revision, const std::string* name) {
-  const std::lock_guard<std::mutex> hold(mutex_);
-  require(revision);
+  std::unique_lock<std::mutex> hold(mutex_);
+  require(revision, hold);
   ModelText next = model_;
   next.saved = next.saved && text == next.text;
   next.text = text;
@@ -72,8 +77,8 @@ ModelText OpenModel::put(const std::string& text, std::int64_t revision, const s
 }
 
 ModelText OpenModel::set(const std::vector<YamlChange>& changes, std::int64_t revision) {
-  const std::lock_guard<std::mutex> hold(mutex_);
-  require(revision);
+  std::unique_lock<std::mutex> hold(mutex_);
+  require(revision, hold);
   ModelText next = model_;
   try {
     next.text = edit_yaml(model_.text, changes);
@@ -109,11 +114,15 @@ Json model_json(const ModelText& model) {
           {"saved", model.saved},
           {"revision", model.revision},
           {"disk", model.disk ? Json(*model.disk) : Json()},
-          {"diagnostics", diagnostics_json(reading.diagnostics, model.text)},
-          {"fields", model_fields(model.text)}};
+          {"diagnostics", diagnostics_json(reading, model.text)},
+          {"fields", model_fields(reading.tree.get())}};
 }
 
 std::vector<YamlChange> changes_of(const Json& request) {
+  constexpr std::size_t kMaxChanges = 1000;
+  if (request.size() > kMaxChanges) {
+    throw HttpFault(422, fmt::format("found {} changes, expected at most {}", request.size(), kMaxChanges));
+  }
   std::vector<YamlChange> changes;
   for (const Json& change : request) changes.push_back(change_of(change));
   return changes;

@@ -47,7 +47,7 @@ class OpenModel {
 
  private:
   ModelText take(ModelText next);
-  void require(std::int64_t revision) const;
+  void require(std::int64_t revision, std::unique_lock<std::mutex>& hold) const;
 
   ModelFolder folder_;
   std::function<void(std::int64_t)> changed_;

@@ -111,7 +111,7 @@ HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& requ
   ModelReading reading = read_model_text(text.text, text.path);
   if (!reading.description) {
     HttpFault fault(422, "the model has errors; correct them first");
-    fault.beside["diagnostics"] = diagnostics_json(reading.diagnostics, text.text);
+    fault.beside["diagnostics"] = diagnostics_json(reading, text.text);
     throw fault;
   }
   RunRecord order = order_of(body, *reading.description);
@@ -264,6 +264,7 @@ HttpAnswer list(const RunQueue& runs) {
 
 void add_run_routes(std::vector<HttpRoute>& routes, OpenModel& model, RunQueue& runs) {
   using Request = const HttpRequest&;
+  const std::size_t first = routes.size();
   routes.push_back({"POST", "/api/runs", [&](Request r) { return start(model, runs, r); }});
   routes.push_back({"GET", "/api/runs", [&](Request) { return list(runs); }});
   routes.push_back(
@@ -287,6 +288,9 @@ void add_run_routes(std::vector<HttpRoute>& routes, OpenModel& model, RunQueue& 
   routes.push_back({"GET", "/api/runs/*/impacts", [&](Request r) { return from_file(runs, r, impacts_json); }});
   routes.push_back({"GET", "/api/runs/*/frames", [&](Request r) { return frames(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/report.html", [&](Request r) { return report(runs, r); }});
+  for (std::size_t i = first; i < routes.size(); ++i) {
+    if (routes[i].method == "GET") routes[i].limit = kLongLimit;  // results may be of gigabytes
+  }
 }
 
 }  // namespace overbend

@@ -29,7 +29,7 @@ Json seek_answer(const ModelText& model, const Json& wanted) {
   const std::string text = with_seek(model, wanted);
   const ModelReading reading = read_model_text(text, model.path);
   if (!reading.description) {
-    return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading.diagnostics, text)}};
+    return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading, text)}};
   }
   const SeekDescription asked = read_seek(*reading.description).value_or(SeekDescription{});
   try {
@@ -45,10 +45,12 @@ Json seek_answer(const ModelText& model, const Json& wanted) {
 }
 
 void add_seek_routes(std::vector<HttpRoute>& routes, OpenModel& model) {
-  routes.push_back({"POST", "/api/seek", [&](const HttpRequest& request) {
+  routes.push_back({"POST", "/api/seek",
+                    [&](const HttpRequest& request) {
                       const Json body = request.json();
                       return json_answer(seek_answer(model.now(), body.at("seek")));
-                    }});
+                    },
+                    kLongLimit});
 }
 
 }  // namespace overbend

@@ -63,7 +63,7 @@ Json sensitivities_of(const ModelText& model, const std::vector<YamlChange>& cha
   const std::string text = edited(model, changes);
   const ModelReading reading = read_model_text(text, model.path);
   if (!reading.description) {
-    return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading.diagnostics, text)}};
+    return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading, text)}};
   }
   if (!reading.description->has_pipe) return failed("there is no pipe", "", "sensitivities are those of a lay");
   Model lay = build_model(*reading.description);
@@ -74,10 +74,12 @@ Json sensitivities_of(const ModelText& model, const std::vector<YamlChange>& cha
 }
 
 void add_sensitivity_routes(std::vector<HttpRoute>& routes, OpenModel& model) {
-  routes.push_back({"POST", "/api/sensitivities", [&](const HttpRequest& request) {
+  routes.push_back({"POST", "/api/sensitivities",
+                    [&](const HttpRequest& request) {
                       return json_answer(
                           sensitivities_of(model.now(), changes_of(request.json().value("changes", Json::array()))));
-                    }});
+                    },
+                    kLongLimit});
 }
 
 }  // namespace overbend
