@@ -13,6 +13,7 @@
 #include "support/bgl1_in_time.h"
 #include "support/lay_over_bottom_rollers.h"
 #include "support/memory_sink.h"
+#include "support/stiff_pipe.h"
 
 namespace overbend {
 namespace {
@@ -105,6 +106,17 @@ TEST(dynamic_recorder, rollers_far_below_the_pipe_tell_the_clearance_that_static
     }
   }
   EXPECT_GT(clearance, 2.0);
+}
+
+// Within 1e-4: in time touchdown is sought between two nodes, of which the lower one lies in the bed.
+TEST(dynamic_recorder, horizontal_tension_of_a_stiff_pipe_at_rest_is_that_of_statics) {
+  Description d = testing::stiff_pipe();
+  d.dynamics = DynamicSettings{};
+  d.dynamics->duration = 1.0;
+  d.dynamics->build_up = 0.5;
+  const TimedLay c(d);
+  MemorySink sink;
+  EXPECT_NEAR(c.results(sink).bottom_tension.mean, c.statics.bottom_tension, 1e-4 * c.statics.bottom_tension);
 }
 
 // The edge beyond which the bed falls away bends the pipe most where it lands, between two nodes.

@@ -19,8 +19,11 @@ Vec3 node_place(const LineState& state, int node) {
   return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node));
 }
 
-Vec3 node_tangent(const LineState& state, int node) {
-  return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3)).normalized();
+/// Of the whole force in the cut at a node.
+double horizontal_tension_at(const Instant& at, int node) {
+  const LineState& state = at.pipe();
+  const CutForces cut = cut_at_node(at.assembly->line(0).cuts(), state.q, static_cast<std::size_t>(node));
+  return horizontal_tension(cut.force, Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3));
 }
 
 double inclination(const Vec3& t) {
@@ -194,15 +197,15 @@ void DynamicRecorder::find_key_values(const Instant& at) {
   }
   Vec3 landing = node_place(state, touchdown);
   double landing_s = line_->mesh.s[static_cast<std::size_t>(touchdown)];
+  key_.bottom_tension = horizontal_tension_at(at, touchdown);
   if (touchdown > 0 && touchdown < top) {
-    const double below = clearance(touchdown), above = clearance(touchdown + 1);
-    landing += below / (below - above) * (node_place(state, touchdown + 1) - landing);
-    landing_s += below / (below - above) * line_->mesh.length[static_cast<std::size_t>(touchdown)];
+    const double below = clearance(touchdown), above = clearance(touchdown + 1), share = below / (below - above);
+    landing += share * (node_place(state, touchdown + 1) - landing);
+    landing_s += share * line_->mesh.length[static_cast<std::size_t>(touchdown)];
+    key_.bottom_tension += share * (horizontal_tension_at(at, touchdown + 1) - key_.bottom_tension);
   }
   const Vec3 shoe = point_from_ramp(*model_, model_->mean_pose, Vec3::Zero()) + at.move.ahead_W;
   key_.lay_back = (landing - shoe).dot(astern_direction(model_->mean_pose));
-  key_.bottom_tension = recovery_.at_nodes(nodes_).effective_tension[static_cast<std::size_t>(touchdown)] *
-                        std::cos(inclination(node_tangent(state, touchdown)));
   const RollerContact* last = last_contact(at);
   const std::optional<double> leaving = last != nullptr ? place_of(*last) : static_departure_;
   key_.departure_angle =

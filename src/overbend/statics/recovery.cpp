@@ -312,19 +312,27 @@ void warn_of_roll(StaticResults& results) {
       results.residual_curvature));
 }
 
-/// Of a solution on its system, which is left as evaluated there.
-std::vector<Station> stations_on(StaticSystem& system, const StaticSolution& solution,
-                                 const std::optional<LinePlace>& touchdown) {
-  const std::vector<CutForces> cuts = cut_forces(system, solution.state);
+/// Of a solution on its system, evaluated there.
+std::vector<Station> stations_on(const StaticSystem& system, const StaticSolution& solution,
+                                 const std::vector<CutForces>& cuts, const std::optional<LinePlace>& touchdown) {
   return make_stations(system, solution.state, cuts, touchdown,
                        solution.past.solution ? solution.bending : std::vector<BendingMemory>());
+}
+
+/// Horizontal tension at a place: of the whole force there, since the pipe's shear has its share of it [N].
+double horizontal_tension_at(const StaticSystem& system, const LineState& state, const std::vector<CutForces>& cuts,
+                             const LinePlace& place) {
+  const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * place.element));
+  const double h = system.mesh().length[static_cast<std::size_t>(place.element)];
+  return horizontal_tension(cut_at(system, state, cuts, place.element, place.xi).force, centreline(q, place.xi, h).a);
 }
 
 }  // namespace
 
 std::vector<Station> recover_stations(const Model& model, const StaticSolution& solution) {
   StaticSystem system = system_with_past(model, solution.mesh, solution.past);
-  return stations_on(system, solution, landing(system, solution.state));
+  const std::vector<CutForces> cuts = cut_forces(system, solution.state);
+  return stations_on(system, solution, cuts, landing(system, solution.state));
 }
 
 StaticResults recover_state(const Model& model, const StaticSolution& solution) {
@@ -333,7 +341,8 @@ StaticResults recover_state(const Model& model, const StaticSolution& solution) 
   StaticSystem system = system_with_past(model, solution.mesh, solution.past);
   const LineState& state = solution.state;
   const std::optional<LinePlace> touchdown = landing(system, state);
-  results.stations = stations_on(system, solution, touchdown);
+  const std::vector<CutForces> cuts = cut_forces(system, state);
+  results.stations = stations_on(system, solution, cuts, touchdown);
 
   const Station top = results.stations.back();
   const Station landing = touchdown ? station_at(results.stations, touchdown->s) : results.stations.front();
@@ -345,7 +354,7 @@ StaticResults recover_state(const Model& model, const StaticSolution& solution) 
   results.top_tension = top.effective_tension;
   results.top_inclination = top.inclination;
   results.residual_curvature = landing.residual_curvature;
-  results.bottom_tension = landing.effective_tension * std::cos(landing.inclination);
+  results.bottom_tension = horizontal_tension_at(system, state, cuts, touchdown.value_or(LinePlace{}));
   results.anchor_W = results.stations.front().p_W;
 
   const Departure departure = recover_supports(results, system, state);

@@ -2,6 +2,7 @@
 /// shape, and exact at a roller, where the moment has a kink. One recovery for statics and dynamics.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "base/vec.h"
@@ -18,6 +19,12 @@ inline CutForces cut_at_node(const std::vector<double>& cuts, const std::vector<
   using Map = Eigen::Map<const Vec3>;
   const Vec3 tangent = Map(q.data() + 6 * node + 3);
   return {Map(cuts.data() + 6 * node), tangent.cross(Vec3(Map(cuts.data() + 6 * node + 3)))};
+}
+
+/// Horizontal component of a cut's whole force, shear included; negative where the line is pushed along its tangent
+/// [N].
+inline double horizontal_tension(const Vec3& force, const Vec3& tangent) {
+  return std::copysign(force.head<2>().norm(), force.dot(tangent));
 }
 
 }  // namespace overbend
