@@ -144,7 +144,7 @@ TEST(dynamic_assumptions, tell_how_rollers_damp_and_stick) {
   EXPECT_EQ(mentions(d, "not in the static initial state"), 1);
   d.statics.roller_friction = RollerFriction::haul;
   EXPECT_EQ(mentions(d, "not in the static initial state"), 0);
-  EXPECT_EQ(mentions(d, "is not there when the run begins"), 1);
+  EXPECT_EQ(mentions(d, "begins as statics have it"), 1);
   d.statics.roller_friction = RollerFriction::none;
   EXPECT_EQ(mentions(d, "weaker than 1 kN"), 1);
   d.rollers[0].damping = RollerDamping::textbook;

@@ -52,20 +52,6 @@ TEST(prepared_case, of_a_hull_that_floats_in_statics_alone_warns_that_it_will_no
   }));
 }
 
-TEST(prepared_case, whose_statics_have_friction_on_rollers_warns_that_the_run_begins_without) {
-  Description d = testing::workable();
-  const auto warned = [&] {
-    const auto prepared = std::get<0>(prepare_case(d));
-    const std::vector<std::string>& warnings = prepared->statics.warnings;
-    return std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
-      return warning.find("begins without the friction of rollers") != std::string::npos;
-    });
-  };
-  EXPECT_FALSE(warned());
-  d.statics.roller_friction = RollerFriction::lay;
-  EXPECT_TRUE(warned());
-}
-
 TEST(prepared_case, of_a_hull_hangs_on_all_its_files_whichever_of_them_is_named) {
   Description barge = testing::coarse_example("moored-barge", 5.0, 2.0);
   const std::string by_stem = input_text(barge);

@@ -76,6 +76,7 @@ System pipe_system(const Model& model, const StaticSolution& solution, double st
   system.lines.push_back(std::move(line));
   system.attachments = {anchor_of(model, solution), tensioner_of(model, solution, static_tension)};
   system.machine = 1;
+  system.rub = static_rub(model);
   return system;
 }
 

@@ -13,6 +13,7 @@
 #include "dynamics/step_loop.h"
 #include "dynamics/stinger_setup.h"
 #include "dynamics/wall_time.h"
+#include "statics/rest_together.h"
 
 namespace overbend {
 namespace {
@@ -80,6 +81,8 @@ bool Simulation::begin() {
   }
   assembly_->set_time(state_.time, state_);
   assembly_->set_drive(first_drive(tensioner_of(setup_.system), tensioner(state_).machine));
+  assembly_->impose_ends(state_);
+  mobilise_roller_friction(*assembly_, state_);
   lean_on_stops(*assembly_, state_, setup_.system);
   if (!begin_motion(*assembly_, state_)) return false;
   const SystemState before = state_;

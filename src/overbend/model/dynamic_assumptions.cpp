@@ -126,8 +126,8 @@ void assume_rollers(Sentences& list, const Model& model, const DynamicSettings& 
     list.push_back(model.description.statics.roller_friction == RollerFriction::none
                        ? "Roller friction acts in the dynamic analysis, but not in the static initial state: it is "
                          "mobilised by the motion only."
-                       : "Roller friction acts in the dynamic analysis, where it is mobilised by the motion only: what "
-                         "of it statics have along the pipe is not there when the run begins.");
+                       : "Roller friction acts in the dynamic analysis. It begins as statics have it, full along the "
+                         "pipe, and follows the motion from there.");
   }
   if (settings.impacts == ImpactTreatment::captured) {
     list.push_back(

@@ -23,6 +23,14 @@ void add(MotionValues& values, double d) {
   values.v += d / kLongTime;
 }
 
+/// Friction of the rollers as in statics, or by the slip.
+void set_static_friction(Assembly& assembly, bool of_statics) {
+  ContactEasing easing;
+  easing.friction = !of_statics;
+  easing.rub = assembly.system().rub;
+  for (std::size_t i = 0; i < assembly.system().lines.size(); ++i) assembly.line(i).contacts().ease(easing);
+}
+
 class Rest {
  public:
   Rest(Assembly& assembly, SystemState& state, const RestSettings& settings)
@@ -217,17 +225,18 @@ class Rest {
 }  // namespace
 
 RestReport rest_together(Assembly& assembly, SystemState& state, const RestSettings& settings) {
-  const auto let_rub = [&](bool friction) {
-    for (std::size_t i = 0; i < assembly.system().lines.size(); ++i) {
-      ContactEasing easing;
-      easing.friction = friction;
-      assembly.line(i).contacts().ease(easing);
-    }
-  };
-  let_rub(false);
+  set_static_friction(assembly, true);
   const RestReport report = Rest(assembly, state, settings).find(state);
-  let_rub(true);
+  set_static_friction(assembly, false);
   return report;
+}
+
+void mobilise_roller_friction(Assembly& assembly, SystemState& state) {
+  if (!assembly.system().rub.any()) return;
+  const SystemState before = state;
+  set_static_friction(assembly, true);
+  assembly.evaluate(state, before, {}, false);
+  set_static_friction(assembly, false);
 }
 
 }  // namespace overbend

@@ -23,7 +23,8 @@ struct RestReport {
 
 /// Brings lines and free bodies of `state` to rest together, with the surroundings as they are at its time: first the
 /// lines on the bodies where they are, from shapes that should be near their equilibrium there, then all. The
-/// bed's friction goes with the way, as in a step without inertia; rollers do not rub, as in the pipe's own statics.
+/// bed's friction goes with the way, as in a step without inertia; that of rollers is System::rub, as in the pipe's own
+/// statics.
 /// Ends that a tensioner moves are let go by Assembly::set_drive(governor) before. Freedoms held by
 /// Assembly::hold_body() stay.
 ///
@@ -31,5 +32,9 @@ struct RestReport {
 /// bodies, bodies by half the step that the reduced system asks for, again and again. Rates of `state` are zero
 /// afterwards.
 RestReport rest_together(Assembly& assembly, SystemState& state, const RestSettings& settings = {});
+
+/// Gives the contacts of a state at rest the slip at which they bear the friction of System::rub, so that a run starts
+/// from the equilibrium of statics. Ends and surroundings are those set last.
+void mobilise_roller_friction(Assembly& assembly, SystemState& state);
 
 }  // namespace overbend

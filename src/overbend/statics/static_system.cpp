@@ -25,11 +25,6 @@ Vec3 tangent_at(const std::vector<double>& q, int node) {
   return Vec3(Vec3Map(q.data() + 6 * node + 3));
 }
 
-/// Paid out, the pipe slides astern over the rollers, which hold it back towards the tensioner.
-double rub_along(RollerFriction friction) {
-  return friction == RollerFriction::none ? 0.0 : friction == RollerFriction::lay ? 1.0 : -1.0;
-}
-
 }  // namespace
 
 void advance(LineState& to, const LineState& from, const std::vector<double>& dq, double share) {
@@ -63,7 +58,7 @@ StaticSystem::StaticSystem(const Model& model, const VesselPose& pose, LineMesh 
       solver_(std::make_unique<BorderedSystem>(std::vector<BorderedLine>{{parts_->line.mesh.nodes(), {0}}}, 1)),
       assembly_(parts_->line, parts_->bodies, solver_->line(0)) {
   lays_steadily_ = overbend::lays_steadily(model);
-  easing_.rollers.rub.along = rub_along(model.description.statics.roller_friction);
+  easing_.rollers.rub = static_rub(model);
   assembly_.ease(easing_);
   hold_ends(pose);
 }

@@ -58,11 +58,6 @@ StaticResults of_lay(const Model& model, const LayOutcome& outcome) {
   StaticResults statics = checked_statics(model, outcome);
   note_history_effect(model, *outcome.solution, statics);
   tell_hull(model, statics);
-  if (model.description.statics.roller_friction != RollerFriction::none) {
-    statics.warnings.emplace_back(
-        "the run in time begins without the friction of rollers that statics have (analysis.static.roller_friction): "
-        "the tension at the tensioner begins otherwise by what that friction bears");
-  }
   return statics;
 }
 

@@ -48,6 +48,11 @@ ContactMemory apart(const ContactMemory& memory) {
   return {0.0, 0.0, false, Slip::stick, Slip::stick, memory.element, memory.xi, memory.passing};
 }
 
+/// Which way a contact slides whose friction pushes the pipe along its direction, or against it.
+Slip slide(double push) {
+  return push > 0.0 ? Slip::backward : Slip::forward;
+}
+
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {  // FNV-1a step
   return (hash ^ value) * 0x100000001b3ull;
 }
@@ -341,11 +346,9 @@ void RollerContacts::evaluate_one(std::size_t index, const std::optional<Meeting
   contact.lateral_direction = away.cross(contact.axial_direction);
   contact.slip_rate_axial = meeting->slip_rate.dot(contact.axial_direction);
   contact.slip_rate_lateral = meeting->slip_rate.dot(contact.lateral_direction);
-  const auto friction = [&](double mu, double slip, double rate, Slip at_start, Slip last) {
-    if (!easing_.friction) {
-      return FrictionForce{};
-    }
+  const auto friction = [&](double mu, double slip, double rate, Slip at_start, Slip last, double full) {
     const SlipStep step{slip, rate, weights.step, normal.force};
+    if (!easing_.friction) return full == 0.0 ? FrictionForce{} : friction_in_state(roller.law, mu, step, slide(full));
     if (kept) {
       return friction_in_state(roller.law, mu, step, at_start);
     }
@@ -357,9 +360,9 @@ void RollerContacts::evaluate_one(std::size_t index, const std::optional<Meeting
     return force;
   };
   const FrictionForce axial = friction(roller.law.friction_axial, before.slip_axial, contact.slip_rate_axial,
-                                       before.axial, iterate_[index].axial);
+                                       before.axial, iterate_[index].axial, easing_.rub.along);
   const FrictionForce lateral = friction(roller.law.friction_lateral, before.slip_lateral, contact.slip_rate_lateral,
-                                         before.lateral, iterate_[index].lateral);
+                                         before.lateral, iterate_[index].lateral, 0.0);
   contact.axial = axial.force;
   contact.lateral = lateral.force;
   after = {axial.slip, lateral.slip, true, axial.state, lateral.state, after.element, after.xi, after.passing};

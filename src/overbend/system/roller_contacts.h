@@ -48,7 +48,7 @@ struct ContactEasing {
   double most_stiffness = 1e300;  ///< Limit of the normal stiffness [N/m].
   bool sides = true;              ///< Whether side rollers act.
   RollerRub rub = {};             ///< Full friction in statics, which is no continuation but what is asked for.
-  bool friction = true;           ///< Whether rollers rub where evaluate() looks at them.
+  bool friction = true;           ///< Friction of evaluate() follows the slip; otherwise it is that of `rub`.
 };
 
 /// Where the forces of contacts are added: six per node, both as in LineTarget.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "mechanics/roller_rub.h"
 #include "mechanics/tensioner.h"
 #include "mechanics/vessel_motion.h"
 #include "mechanics/winch.h"
@@ -56,6 +57,7 @@ struct System {
   std::vector<Attachment> attachments;
   int machine = -1;       ///< The attachment whose tensioner acts; -1: none.
   double build_up = 0.0;  ///< Before t = 0, over which the tensioner is brought in [s].
+  RollerRub rub;          ///< Friction of the rollers at rest, from which a run starts.
   SurroundingsAt surroundings;
 };
 

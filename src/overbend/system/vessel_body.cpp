@@ -86,6 +86,11 @@ Body vessel_body(const Model& model, double pipe_radius) {
   return body;
 }
 
+RollerRub static_rub(const Model& model) {
+  const RollerFriction friction = model.description.statics.roller_friction;
+  return {friction == RollerFriction::none ? 0.0 : friction == RollerFriction::lay ? 1.0 : -1.0, 0.0};
+}
+
 RigidMotion resting(const VesselPose& pose) {
   RigidMotion motion;
   motion.pose = pose;

@@ -1,6 +1,7 @@
 /// The vessel of a model as a body: its rollers with their laws.
 #pragma once
 
+#include "mechanics/roller_rub.h"
 #include "mechanics/vessel_motion.h"
 #include "system/body.h"
 #include "system/line_mesh.h"
@@ -21,6 +22,10 @@ std::vector<BodyRoller> vessel_rollers(const Model& model);
 
 /// With the cells that find the elements of a line with this largest outer radius [m].
 Body vessel_body(const Model& model, double pipe_radius);
+
+/// Friction of the rollers on the pipe at rest. Paid out, it slides astern over them, and they hold it back towards the
+/// tensioner.
+RollerRub static_rub(const Model& model);
 
 /// The body in its mean pose, at rest.
 RigidMotion resting(const VesselPose& pose);
