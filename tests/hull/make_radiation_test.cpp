@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 
 #include "hull/linear_decay.h"
 #include "hull/made_radiation.h"
+#include "hull/radiation_groups.h"
 
 namespace overbend {
 namespace {
@@ -140,6 +142,55 @@ TEST(make_radiation, a_file_that_contradicts_itself_is_told) {
   ASSERT_GE(made.report.warnings.size(), 2U);
   EXPECT_NE(made.report.warnings[0].find("negative radiation damping"), std::string::npos);
   EXPECT_NE(made.report.warnings[1].find("added mass of heave"), std::string::npos);
+}
+
+/// The hull of the data in other units of mass, length and time, or a model of it.
+HydrodynamicData in_units(HydrodynamicData data, double mass, double length, double time) {
+  const auto scaled = [&](const Mat6& m, double unit) {
+    Mat6 out = m / unit;
+    for (int i = 0; i < 6; ++i) {
+      for (int j = 0; j < 6; ++j) out(i, j) /= std::pow(length, (i > 2 ? 1.0 : 0.0) + (j > 2 ? 1.0 : 0.0));
+    }
+    return out;
+  };
+  for (RadiationPoint& point : data.radiation) {
+    point = {point.omega * time, scaled(point.added_mass, mass), scaled(point.damping, mass / time)};
+  }
+  data.added_mass_infinite = scaled(data.added_mass_infinite, mass);
+  data.added_mass_zero = scaled(data.added_mass_zero, mass);
+  return data;
+}
+
+// The memory of a hull does not depend on the units of its file, nor that of its model in a tank on the scale: of both
+// only rounding is left, which the fit magnifies ten-thousandfold.
+TEST(make_radiation, memory_is_the_same_in_any_units_and_at_any_scale) {
+  const HydrodynamicData& data = testing::bgl1_data();
+  const Radiated& own = testing::bgl1_radiation(Radiation::state_space);
+  const Vec6 damping = largest_diagonal(data, &RadiationPoint::damping);
+  struct Units {
+    double mass, length, time;
+  };
+  for (const Units& u : {Units{1e3, 1.0, 1.0},
+                         {14.5939, 0.3048, 1.0},
+                         {125e3, 50.0, std::sqrt(50.0)},
+                         {std::pow(40.0, -3.0), 1.0 / 40.0, std::sqrt(1.0 / 40.0)}}) {
+    const Radiated made = make_radiation(in_units(data, u.mass, u.length, u.time), Radiation::state_space);
+    for (std::size_t i = 0; i < own.report.groups.size(); ++i) {
+      EXPECT_EQ(made.report.groups[i].order, own.report.groups[i].order) << u.mass << " " << i;
+    }
+    HydrodynamicData memory;
+    for (const RadiationPoint& point : data.radiation) {
+      memory.radiation.push_back(radiation_at(made.model, point.omega * u.time));
+    }
+    memory = in_units(memory, 1.0 / u.mass, 1.0 / u.length, 1.0 / u.time);
+    for (const RadiationPoint& point : memory.radiation) {
+      const RadiationPoint same = radiation_at(own.model, point.omega);
+      for (int i = 0; i < 6; ++i) {
+        EXPECT_NEAR(point.added_mass(i, i), same.added_mass(i, i), 1e-6 * same.added_mass(i, i)) << u.mass << " " << i;
+        EXPECT_NEAR(point.damping(i, i), same.damping(i, i), 1e-6 * damping(i)) << u.mass << " " << i;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ TEST(retardation, low_frequencies_follow_a_power_law_of_at_least_one) {
 }
 
 TEST(retardation, kernel_for_convolution_has_no_damping_at_zero_frequency) {
-  const RadiationSamples samples = convolution_samples(bgl1_spectrum(), 0.1);
+  const RadiationSamples samples = convolution_samples(bgl1_spectrum());
   EXPECT_LT(samples.once.back().norm(), 1e-12 * samples.once[20].norm());
   EXPECT_GE(samples.once.size(), 201U);
   EXPECT_LE(samples.once.size(), 801U);

@@ -10,7 +10,6 @@ namespace overbend {
 namespace {
 
 constexpr double kWarnAddedMass = 0.03, kWarnNegative = 0.01;
-constexpr double kConvolutionInterval = 0.1;  // [s]
 constexpr const char* kModeNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
 /// Fits one group and adds it to the model. False where no order is good enough.
@@ -47,7 +46,7 @@ void use_convolution(const RadiationSource& source, RadiationModel& model) {
   model.kind = Radiation::convolution;
   model.poles.clear();
   model.constant_damping.setZero();
-  model.samples = convolution_samples(source.spectrum, kConvolutionInterval);
+  model.samples = convolution_samples(source.spectrum);
 }
 
 std::string names_of(const std::vector<int>& modes) {

@@ -18,9 +18,11 @@ constexpr double kGoodFit = 0.003, kFairFit = 0.01, kPassive = 1e-5;
 /// Share of the highest frequency below which an error does not count against an order: added mass of heave in finite
 /// depth grows like a logarithm towards zero frequency, which no few exponentials do and no motion feels.
 constexpr double kJudgedFrom = 0.03;
-constexpr double kNoise = 1e-4;    ///< Of sqrt(max ii * max jj): coupling below is the panel code's rounding.
-constexpr double kSilent = 1e-6;   ///< Of the strongest mode of its kind: it does not radiate.
-constexpr double kSlowest = 0.03;  // [1/s]
+constexpr double kNoise = 1e-4;   ///< Of sqrt(max ii * max jj): coupling below is the panel code's rounding.
+constexpr double kSilent = 1e-6;  ///< Of the strongest mode of its kind: it does not radiate.
+/// Slowest decay and interval of the kernel's samples, as shares of the typical frequency and over it: 0.03 1/s and
+/// 0.2 s for a barge of 120 m.
+constexpr double kSlowest = 0.0275, kInterval = 0.219;
 constexpr int kKernelSamples = 401;
 
 /// Largest coupling of each pair.
@@ -137,7 +139,7 @@ double error_of(const GroupFit& fit, const Truth& truth) {
 
 RadiationSource radiation_source(const HydrodynamicData& data) {
   RadiationSource source{data, damping_spectrum(data), {}, 0.0};
-  source.interval = std::min(0.2, 0.5 * std::numbers::pi / source.spectrum.last);
+  source.interval = std::min(kInterval / source.spectrum.typical, 0.5 * std::numbers::pi / source.spectrum.last);
   source.kernel = retardation_samples(source.spectrum, source.interval, kKernelSamples);
   return source;
 }
@@ -190,13 +192,14 @@ ChosenFit choose_fit(const RadiationSource& source, const std::vector<int>& mode
   const FitTarget target = target_of(source, modes, unit);
   const Truth truth = truth_of(source.spectrum, source.data, modes, unit);
   const HankelRealization realization(target.kernel, target.interval, kMostOrder);
+  const double slowest = kSlowest * source.spectrum.typical;
   ChosenFit best;
   best.unit = unit;
   double best_error = kFairFit;
   // Errors fall with the order, by and large: the least order that is good is looked for by halves.
   for (int low = kLeastOrder, high = kMostOrder; low <= high;) {
     const int order = low + (high - low) / 4 * 2;
-    const std::vector<std::complex<double>> poles = improve_poles(target, realization.poles(order, kSlowest), kSlowest);
+    const std::vector<std::complex<double>> poles = improve_poles(target, realization.poles(order, slowest), slowest);
     GroupFit fit = poles.size() < 2 ? GroupFit{} : fit_residues(target, poles);
     const bool passive = poles.size() >= 2 && fit.least_damping > -kPassive;
     const double error = passive ? error_of(fit, truth) : 1.0;

@@ -16,8 +16,8 @@ struct RadiationSource {
   double interval = 0.0;     ///< [s]
 };
 
-/// Damping over all frequencies, and its kernel every 0.2 s over 80 s, finer where the data reach higher frequencies
-/// than a barge's.
+/// Damping over all frequencies, and its kernel on a grid and over a time that scale with its typical frequency (every
+/// 0.2 s over 80 s for a barge of 120 m), finer where the data reach high frequencies.
 RadiationSource radiation_source(const HydrodynamicData& data);
 
 /// Modes that are coupled by damping, directly or through others; those that do not radiate are left out.

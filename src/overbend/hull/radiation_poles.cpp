@@ -74,6 +74,18 @@ Eigen::VectorXcd zeros(const std::vector<Complex>& poles, const VectorXd& coeffi
   return eigenvalues_of(a - b * coefficients.transpose());
 }
 
+/// Real poles that were brought to the slowest decay stand at one place, where their partial fractions cannot be told
+/// apart and rounding would decide: from the second on each decays half as fast again as the one before.
+void part_slowest(std::vector<Complex>& poles, double slowest) {
+  constexpr double kApart = 1.5, kSame = 1.0 + 1e-9;
+  double decay = slowest;
+  for (Complex& pole : poles) {
+    if (pole.imag() != 0.0 || -pole.real() > kSame * slowest) continue;
+    pole = -decay;
+    decay *= kApart;
+  }
+}
+
 }  // namespace
 
 // Symmetric samples make a symmetric matrix: its singular values and vectors are its eigenvalues and vectors with the
@@ -116,6 +128,7 @@ std::vector<std::complex<double>> HankelRealization::poles(int order, double slo
       poles.emplace_back(std::min(pole.real(), -slowest), pole.imag());
     }
   }
+  part_slowest(poles, slowest);
   return poles;
 }
 
@@ -144,6 +157,7 @@ std::vector<Complex> relocate_poles(const FrequencyResponse& response, const std
       moved.emplace_back(std::min(-std::abs(zero.real()), -slowest), zero.imag());
     }
   }
+  part_slowest(moved, slowest);
   return moved;
 }
 

@@ -140,9 +140,34 @@ Mat6 tail_exponents(const DampingSpectrum& spectrum, const HydrodynamicData& dat
 
 }  // namespace
 
+namespace {
+
+/// Mean over the modes that radiate of the middle of their damping over frequency.
+double typical_frequency(const HydrodynamicData& data) {
+  constexpr double kUnheard = 1e-6;  // of the strongest mode of its kind
+  Vec6 sum = Vec6::Zero(), moment = Vec6::Zero();
+  for (std::size_t k = 0; k + 1 < data.radiation.size(); ++k) {
+    const RadiationPoint &left = data.radiation[k], &right = data.radiation[k + 1];
+    const Vec6 area = (right.omega - left.omega) * (left.damping + right.damping).diagonal().cwiseAbs();
+    sum += area;
+    moment += 0.5 * (left.omega + right.omega) * area;
+  }
+  const double strongest[] = {sum.head<3>().maxCoeff(), sum.tail<3>().maxCoeff()};
+  double typical = 0.0, modes = 0.0;
+  for (int i = 0; i < 6; ++i) {
+    if (!(sum(i) > kUnheard * strongest[i / 3])) continue;
+    typical += moment(i) / sum(i);
+    modes += 1.0;
+  }
+  return modes > 0.0 ? typical / modes : data.radiation.back().omega;
+}
+
+}  // namespace
+
 DampingSpectrum damping_spectrum(const HydrodynamicData& data) {
   DampingSpectrum spectrum;
   spectrum.last = data.radiation.back().omega;
+  spectrum.typical = typical_frequency(data);
   spectrum.omega = nodes_of(data);
   spectrum.damping.assign(spectrum.omega.size(), Mat6::Zero());
   const auto last = static_cast<std::size_t>(std::find(spectrum.omega.begin(), spectrum.omega.end(), spectrum.last) -
@@ -240,11 +265,14 @@ int samples_that_count(const std::vector<Mat6>& kernel, double share) {
 
 }  // namespace
 
-RadiationSamples convolution_samples(const DampingSpectrum& spectrum, double interval) {
-  constexpr double kShortest = 20.0, kLongest = 80.0, kForgotten = 1e-3;
+RadiationSamples convolution_samples(const DampingSpectrum& spectrum) {
+  // Over the typical frequency, which is 1.09 rad/s for a barge of 120 m.
+  constexpr double kInterval = 0.109, kShortest = 22.0, kLongest = 87.0, kForgotten = 1e-3;
+  const double interval = kInterval / spectrum.typical;
   const auto steps = [&](double time) { return static_cast<int>(std::ceil(time / interval - 1e-9)); };
-  const std::vector<Mat6> kernel = retardation_samples(spectrum, interval, steps(kLongest) + 1);
-  const int last = std::clamp(samples_that_count(kernel, kForgotten), steps(kShortest), steps(kLongest));
+  const std::vector<Mat6> kernel = retardation_samples(spectrum, interval, steps(kLongest / spectrum.typical) + 1);
+  const int last = std::clamp(samples_that_count(kernel, kForgotten), steps(kShortest / spectrum.typical),
+                              steps(kLongest / spectrum.typical));
   const Mat6 mean = retardation_integral(spectrum, last * interval) / (last * interval);
   RadiationSamples samples;
   samples.interval = interval;

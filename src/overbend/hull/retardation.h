@@ -14,6 +14,7 @@ struct DampingSpectrum {
   std::vector<double> omega;  ///< From 0, ascending; the frequencies of the data are among them [rad/s].
   std::vector<Mat6> damping;  ///< Symmetric, at each of them [N s/m, N s, N m s].
   double last = 0.0;          ///< Highest frequency of the data; above it B ~ omega^-n [rad/s].
+  double typical = 0.0;       ///< About which the damping of the data lies: the scale of all times [rad/s].
   Mat6 tail_exponent = Mat6::Zero();
   double largest_negative = 0.0;  ///< Negative damping of the data that was taken as zero, share of the peaks.
   /// A_inf that goes with this damping: mean of A - (A - A_inf of the damping) over the middle of the data.
@@ -37,7 +38,8 @@ Mat6 retardation(const DampingSpectrum& spectrum, double time);
 std::vector<Mat6> retardation_samples(const DampingSpectrum& spectrum, double interval, int count);
 
 /// Its integrals on a grid, for direct convolution, up to the time beyond which |K| stays below 1e-3 of its peak, at
-/// least 20 s and at most 80 s. The mean of K over that time is taken off, else B(0) would not be zero.
-RadiationSamples convolution_samples(const DampingSpectrum& spectrum, double interval);
+/// least 22 and at most 87 over the typical frequency. The mean of K over that time is taken off, else B(0) would not
+/// be zero.
+RadiationSamples convolution_samples(const DampingSpectrum& spectrum);
 
 }  // namespace overbend
