@@ -166,6 +166,17 @@ TEST(moored_statics, warns_of_what_a_crew_would_mend) {
   }
 }
 
+// A hull whose place is given needs no line at all.
+TEST(moored_statics, too_few_lines_are_no_warning_on_a_hull_that_is_held) {
+  Description d = described("MO8-sym");
+  d.operation = {};
+  d.vessel.hydrostatics.reset();
+  d.moorings->lines.resize(2);
+  for (const std::string& warning : rest_of_hull(d).warnings) {
+    EXPECT_EQ(warning.find("fewer than three"), std::string::npos) << warning;
+  }
+}
+
 TEST(moored_statics, warns_of_lines_that_a_bed_as_it_is_would_bear_elsewhere) {
   const auto warnings_over = [](double height) {
     Description d = described("MO8-sym");

@@ -252,7 +252,7 @@ std::vector<std::string> mooring_warnings(const Model& model, const MooringSprea
   }
   if (is_positioned(model.description)) {
     warn_of_thrust(*model.description.station_keeping, state, list);
-  } else if (effective < 3) {
+  } else if (effective < 3 && hull_is_free(model.description)) {
     list.push_back(
         fmt::format("{}: only {} of the mooring lines pull; fewer than three do not hold surge, sway and yaw.",
                     state.name, effective));
