@@ -41,6 +41,17 @@ TEST(moving_vessel, meets_the_waves_where_it_is) {
   EXPECT_GT((moved.pose.p_WV - here.at(12.3, {}).pose.p_WV - 37.0 * ahead).norm(), 1e-2);
 }
 
+// A hull at rest on its lines may lie turned: the route is that of the heading as drawn.
+TEST(moving_vessel, that_lies_turned_moves_along_the_lay_route) {
+  InSea vessel;
+  const Mat3 turn = Eigen::AngleAxisd(0.1, Vec3::UnitZ()).toRotationMatrix();
+  vessel.model.mean_pose.R_WV = turn * vessel.model.drawn_pose.R_WV;
+  const VesselMotionModel motion = make_vessel_motion(vessel.model, vessel.sea);
+  const auto at = [&](double way) { return vessel_motion(motion, MoveAhead{{way, 0.0, 0.0}, {}}, 3.0, kFull); };
+  const Vec3 moved = at(12.0).pose.p_WV - at(0.0).pose.p_WV;
+  EXPECT_LT((moved - 12.0 * level_ahead(vessel.model.drawn_pose)).norm(), 1e-9);
+}
+
 TEST(moving_vessel, rates_are_those_of_its_places) {
   const InSea vessel;
   constexpr double kSpeed = 3.0, kRise = 0.4, kStep = 1e-4, kTime = 20.0;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/constants.h"
 #include "modelfile/yaml_reader.h"
 #include "statics/moored_lay.h"
 #include "statics/pipe_on_hull.h"
@@ -45,6 +46,23 @@ TEST(pull_ahead, has_the_pipe_at_each_of_its_places) {
     EXPECT_NEAR(steps.back().lengths[i] - steps.front().lengths[i], change[i], 0.02) << i;
     EXPECT_LT(std::abs(steps.back().tensions[i] - steps.front().tensions[i]), 3.3e3);
   }
+}
+
+// Turned by a load on its bow, the barge still goes along the route: 0.3 deg off would be 0.06 m in a joint of 12 m.
+TEST(pull_ahead, of_a_turned_barge_goes_along_the_lay_route) {
+  Description d = pulled(12.0);
+  d.moorings->find = FindMooring::pose;
+  VesselLoadDescription& push = d.vessel.loads.emplace_back();
+  push.name = "push";
+  push.at = Vec3(50.0, 0.0, 0.0);
+  push.force = Vec3(0.0, 60e3, 0.0);
+  Model model = build_model(d);
+  const LayOutcome lay = solve_lay(model);
+  ASSERT_FALSE(lay.failure) << lay.failure->why;
+  const std::vector<MoveStep>& steps = lay.moorings->steps;
+  ASSERT_GT(std::abs(steps.front().vessel.yaw), 0.2 * kDegree);
+  EXPECT_NEAR(steps.back().vessel.surge - steps.front().vessel.surge, 12.0, 1e-6);
+  EXPECT_NEAR(steps.back().vessel.sway, steps.front().vessel.sway, 1e-6);
 }
 
 TEST(pull_ahead, and_back_ends_in_the_state_it_began_with) {

@@ -8,7 +8,7 @@ MooredSimulation::MooredSimulation(const Model& model, const StaticSolution& sta
     : setup_(make_setup(model, start, 0.0, options)),
       options_(options),
       midship_(model.mean_pose.p_WV),
-      ahead_W_(level_ahead(model.mean_pose)) {
+      ahead_W_(level_ahead(model.drawn_pose)) {
   const LeadEnds lead = [this](const System& system, double time, Surroundings& now) {
     move_vessel(setup_, time, now);
     lead_attachments(system, now);

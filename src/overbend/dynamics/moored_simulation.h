@@ -36,7 +36,7 @@ class MooredSimulation {
   RunSetup setup_;
   DynamicOptions options_;
   Vec3 midship_;  ///< Its place before any move, W [m].
-  Vec3 ahead_W_;  ///< Horizontal unit vector towards the bow.
+  Vec3 ahead_W_;  ///< Horizontal unit vector ahead along the lay route.
   std::optional<StaticFailure> failure_;
   std::optional<SystemRun> run_;
 };

@@ -48,7 +48,8 @@ void add_motion(const Model& model, const StaticSolution& start, const DynamicOp
   }
 }
 
-void add_move(const Description& d, const StaticSolution& start, RunSetup& setup) {
+void add_move(const Model& model, const StaticSolution& start, RunSetup& setup) {
+  const Description& d = model.description;
   if (d.operation.type != OperationType::pull_ahead) return;
   setup.move = start.winches ? start.winches->profile : move_profile(d.operation, 0.0);
   const std::optional<JointDescription>& joint = d.pipe.section.joint;
@@ -56,7 +57,7 @@ void add_move(const Description& d, const StaticSolution& start, RunSetup& setup
   if (setup.hull && setup.hull->hull.station_keeping) {
     StationKeeping& keeping = *setup.hull->hull.station_keeping;
     keeping.move = setup.move;
-    keeping.ahead_W = (start.pose.R_WV * Vec3::UnitX()).head<2>().normalized();
+    keeping.ahead_W = level_ahead(model.drawn_pose).head<2>();
   }
   if (setup.system.machine < 0) return;
   setup.system.attachments[static_cast<std::size_t>(setup.system.machine)].tensioner.limit =
@@ -79,7 +80,7 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
   }
   add_moorings(model, start, setup);
   add_motion(model, start, options, setup);
-  add_move(d, start, setup);
+  add_move(model, start, setup);
   setup.system.build_up = options.build_up;
   setup.interval = water_interval(setup.sea, options.output_step);
   return setup;

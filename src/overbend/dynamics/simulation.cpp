@@ -34,7 +34,7 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
       clock_(make_clock(options, setup_.interval)),
       controllers_(model, options.controllers, setup_.mooring_names, clock_.time(), setup_.system),
       shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())),
-      ahead_W_(level_ahead(model.mean_pose)) {
+      ahead_W_(level_ahead(model.drawn_pose)) {
   options_.max_step = std::min(options_.max_step, controllers_.longest_step());
   setup_.system.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
   assembly_.emplace(setup_.system);

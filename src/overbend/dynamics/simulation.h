@@ -116,7 +116,7 @@ class Simulation {
   std::vector<WaterField> water_;  ///< Line by line.
   std::vector<WaterMemory> water_memory_;
   Vec3 shoe_;               ///< Mean place of the stern shoe before any move, W [m].
-  Vec3 ahead_W_;            ///< Horizontal unit vector towards the bow.
+  Vec3 ahead_W_;            ///< Horizontal unit vector ahead along the lay route.
   double elevation_ = 0.0;  ///< Of the water there, now [m].
   std::optional<Assembly> assembly_;
   std::optional<TimeStepper> stepper_;

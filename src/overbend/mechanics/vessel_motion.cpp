@@ -192,6 +192,7 @@ VesselMotionModel make_vessel_motion(const Model& model, const Sea& sea) {
   const VesselDescription& vessel = model.description.vessel;
   VesselMotionModel motion;
   motion.mean = model.mean_pose;
+  motion.ahead_W = level_ahead(model.drawn_pose);
   switch (vessel.motion) {
     case VesselMotion::fixed:
       return motion;
@@ -222,7 +223,7 @@ Vec3 level_ahead(const VesselPose& mean) {
 std::vector<double> wave_numbers_ahead(const VesselMotionModel& motion, const Sea& sea) {
   std::vector<double> numbers;
   if (motion.terms.size() != sea.components.size()) return numbers;  // terms that are of no wave
-  const Vec3 ahead = level_ahead(motion.mean);
+  const Vec3& ahead = motion.ahead_W;
   for (const WaveComponent& wave : sea.components) numbers.push_back(wave.kx * ahead.x() + wave.ky * ahead.y());
   return numbers;
 }
@@ -259,7 +260,7 @@ RigidMotion vessel_motion(const VesselMotionModel& motion, const MoveAhead& move
   m.velocity = R * translation(f.rate) - m.omega.cross(r);
   m.acceleration = R * translation(f.acceleration) - m.alpha.cross(r) - m.omega.cross(m.omega.cross(r));
   if (ahead.way != 0.0 || ahead.speed != 0.0 || ahead.acceleration != 0.0) {
-    const Vec3 along = level_ahead(motion.mean);
+    const Vec3& along = motion.ahead_W;
     m.pose.p_WV += ahead.way * along;
     m.velocity += ahead.speed * along;
     m.acceleration += ahead.acceleration * along;

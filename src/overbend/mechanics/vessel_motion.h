@@ -57,6 +57,7 @@ struct MotionSpline {
 /// Made by make_vessel_motion: the mean pose with a sum of harmonic terms, or a spline, or neither (fixed).
 struct VesselMotionModel {
   VesselPose mean;
+  Vec3 ahead_W = Vec3::UnitX();     ///< Horizontal unit vector of a move ahead: along the lay route.
   Vec3 reference_V = Vec3::Zero();  ///< Point that the translations are of [m].
   MotionTerms terms;
   MotionSpline spline;

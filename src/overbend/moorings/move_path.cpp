@@ -65,8 +65,7 @@ LengthsByWay::Length LengthsByWay::at(std::size_t line, double at_way) const {
 
 HullOffset offset_ahead(const HullOffset& from, double way) {
   HullOffset there = from;
-  there[0] += way * std::cos(from[5]);
-  there[1] += way * std::sin(from[5]);
+  there[0] += way;
   return there;
 }
 

@@ -30,7 +30,7 @@ struct WinchPlan {
   LengthsByWay lengths;
 };
 
-/// Where the hull is after `way` ahead along the heading that it has at `from` [m]; heave, roll and pitch as there.
+/// Where the hull is after `way` ahead along the lay route, its heading as drawn, whichever way it heads at `from` [m].
 HullOffset offset_ahead(const HullOffset& from, double way);
 
 /// Places of all moves: the first, then kPlacesOfMove for each [m].

@@ -88,7 +88,7 @@ std::vector<WinchMove> winch_moves(const MooredState& before, const MooredState&
   return moves;
 }
 
-/// Ahead along the heading that the hull has, with the pulls it had, changed as little as balance asks.
+/// Ahead along the lay route, with the pulls that the lines had, changed as little as balance asks.
 bool pull_ahead(const Model& model, const MooredHull& start, const PipeOnHull& pipe, Stages& stages,
                 MooringResults& results) {
   const OperationDescription& operation = model.description.operation;

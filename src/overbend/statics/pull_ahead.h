@@ -31,7 +31,7 @@ class HullOnItsWay {
   /// `start`: at rest where the way begins.
   HullOnItsWay(const Model& model, const MooredHull& start, PipeOnHull pipe);
 
-  /// Takes the hull ahead along the heading it began with [m]: lengths that hold it there against the pipe's pull at
+  /// Takes the hull ahead along the lay route [m]: lengths that hold it there against the pipe's pull at
   /// that place, with the least change of the pulls that the lines had at the beginning. The place that dynamic
   /// positioning wants moves as far; without lines the hull comes to rest about it. The same way gives the same
   /// lengths, wherever the hull comes from.
