@@ -117,13 +117,13 @@ TEST(step_chooser, begins_with_short_steps_where_a_line_parts) {
   chooser.wanted = 0.125;
   chooser.took(0.125);
   chooser.error(1e-3, 1.0, [] { return 1e-9; });  // of rest
-  chooser.start_short();
+  chooser.start_short(1e-3);
   EXPECT_LE(chooser.choose(0.125, 1e300), 1e-3);
   chooser.took(1e-3);
   EXPECT_EQ(chooser.error(1e-3, 1.0, [] { return 5.0; }), 5.0);  // nothing that was estimated before serves
-  chooser.start_short();
+  chooser.start_short(1e-3);
   chooser.wanted = 1e-4;
-  chooser.start_short();
+  chooser.start_short(1e-3);
   EXPECT_EQ(chooser.wanted, 1e-4);
 }
 
@@ -148,11 +148,25 @@ TEST(tension_watch, follows_a_swing_by_about_sixty_steps_a_period) {
   double t = 0.0, h = 0.05, shortest = 1e9;
   while (t < 3.0 * kPeriod) {
     t += h;
-    h = std::min(watch.longest_step(tension(t), h), 1.0);
+    const double next = std::min(watch.longest_step(tension(t), h, {0.02, 0.001}), 1.0);
+    watch.took(tension(t), h);
+    h = next;
     if (t > kPeriod) shortest = std::min(shortest, h);
   }
   EXPECT_GT(shortest, kPeriod / 90.0);
   EXPECT_LT(shortest, kPeriod / 45.0);
+}
+
+TEST(tension_watch, asks_for_much_shorter_steps_where_a_line_snaps_and_not_where_it_trembles) {
+  TensionWatch watch;
+  watch.start(0.0);
+  watch.took(1e6, 1.0);
+  watch.took(1e6, 1.0);
+  watch.took(1e6, 1.0);  // a range of 1 MN, of which 5 kN may be bent in a step
+  const ShortestSteps shortest{0.02, 0.001};
+  EXPECT_EQ(watch.longest_step(1.01e6, 0.02, shortest), 0.02);
+  EXPECT_NEAR(watch.longest_step(1.5e6, 0.02, shortest), 0.02 * std::sqrt(7.5 / 500.0), 1e-9);
+  EXPECT_EQ(watch.longest_step(1e9, 0.02, {0.02, 0.02}), 0.02);
 }
 
 }  // namespace

@@ -58,6 +58,45 @@ INSTANTIATE_TEST_SUITE_P(of_moordyn, chain,
                                            ChainCase{"WD0200_Chain_ZZP1_A1.txt", 200.0, 2.0},
                                            ChainCase{"WD0200_Chain_ZZP1_A2.txt", 200.0, 5.0}));
 
+/// The same in lengths of `scale`, by Froude's law: in the same water, under the same gravity.
+Description scaled(Description d, double scale) {
+  d.environment.water_depth *= scale;
+  d.environment.seabed.stiffness *= scale;
+  d.environment.seabed.damping *= std::pow(scale, 1.5);
+  d.dynamics->duration *= std::sqrt(scale);
+  d.dynamics->build_up *= std::sqrt(scale);
+  d.dynamics->output_step *= std::sqrt(scale);
+  FreeLineDescription& line = d.lines[0];
+  LineTypeDescription& type = line.segments[0].type;
+  for (double* size : {&type.diameter, &type.drag_diameter, &type.volume_diameter}) *size *= scale;
+  for (double* weight : {&type.weight_in_air, &type.weight_submerged}) *weight *= scale * scale;
+  type.axial_stiffness *= std::pow(scale, 3);
+  line.segments[0].length.value() *= scale;
+  for (LineEndDescription* end : {&line.first, &line.second}) {
+    end->at *= scale;
+    end->amplitude *= scale;
+    end->period *= std::sqrt(scale);
+  }
+  return d;
+}
+
+LineHistory of_own_steps(const Description& d) {
+  return testing::run_lines(d, dynamic_options(build_model(d)))[0];
+}
+
+TEST(chain_of_a_fiftieth_of_the_size, has_the_tensions_of_froudes_law) {
+  constexpr double kScale = 1.0 / 50.0;
+  Description d = testing::chain_case(50.0, 5.0);
+  d.dynamics.emplace();
+  d.dynamics->duration = d.dynamics->build_up = 10.0;
+  d.dynamics->output_step = 0.1;
+  const LineHistory whole = of_own_steps(d), small = of_own_steps(scaled(d, kScale));
+  const double force = std::pow(kScale, 3);
+  EXPECT_NEAR(small.most_last / force, whole.most_last, 0.005 * whole.most_last);
+  EXPECT_NEAR(small.least_last / force, whole.least_last, 0.005 * whole.most_last);
+  EXPECT_NEAR(small.most_first / force, whole.most_first, 0.005 * whole.most_last);
+}
+
 struct JumperCase {
   const char* file;
   Vec3 amplitude;

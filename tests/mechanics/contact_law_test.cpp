@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace overbend {
@@ -83,6 +84,57 @@ TEST(contact_law, derivatives_of_friction_are_those_of_finite_differences_sticki
   }
   EXPECT_GT(sticking, 100);
   EXPECT_GT(sliding, 100);
+}
+
+TEST(contact_law, derivatives_of_friction_are_exact_where_the_slip_turns_within_the_step) {
+  Random random;
+  constexpr double kSmall = 1e-7;
+  const double mu = law().friction_lateral;
+  int turned = 0, clipped = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double slip = random.in(-0.002, 0.002), start = random.in(-1.0, 1.0), rate = random.in(-0.3, 0.3);
+    const double normal = random.in(1e3, 2e4);
+    const auto force = [&](double speed, double push) {
+      return friction_in_state(law(), mu, {slip, speed, kStep, push, start}, Slip::stick).force;
+    };
+    const SlipStep step{slip, rate, kStep, normal, start};
+    const FrictionForce f = friction_in_state(law(), mu, step, Slip::stick);
+    const ElasticSlip elastic = elastic_slip(step, mu * normal / law().tangential_stiffness);
+    turned += start * rate < 0.0;
+    clipped += elastic.by_most != 0.0;
+    EXPECT_NEAR(f.by_rate, (force(rate + kSmall, normal) - force(rate - kSmall, normal)) / (2.0 * kSmall),
+                1e-4 * std::abs(f.by_rate) + 1e-2);
+    EXPECT_NEAR(f.by_normal, (force(rate, normal + 1e-3) - force(rate, normal - 1e-3)) / 2e-3, 1e-5);
+  }
+  EXPECT_GT(turned, 500);
+  EXPECT_GT(clipped, 100);
+}
+
+/// Work of friction on a slip that swings to and fro for two periods, by steps that know the rates at both their ends.
+double work_of_friction(int steps_per_period) {
+  const double mu = 0.4, normal = 1e4, stretch = mu * normal / law().tangential_stiffness;
+  ContactLaw dry = law();
+  dry.tangential_damping = 0.0;
+  const double period = 1.0, h = period / steps_per_period, omega = 2.0 * std::numbers::pi / period;
+  const auto rate = [&](double t) { return 3.0 * stretch * omega * std::cos(omega * t); };  // three times the limit
+  double slip = 0.0, work = 0.0, force = 0.0;
+  for (int i = 1; i <= 2 * steps_per_period; ++i) {
+    const double before = rate((i - 1) * h), now = rate(i * h);
+    const FrictionForce f = friction_force(dry, mu, {slip, now, h, normal, before});
+    work -= 0.5 * h * (force * before + f.force * now);
+    force = f.force;
+    slip = f.slip;
+  }
+  return work;
+}
+
+TEST(contact_law, friction_loses_what_a_slider_behind_a_spring_does_with_an_error_of_second_order) {
+  // Slid between the turns at three times the stretch either way, of which two go into turning the spring: 2 + 4 + 4 +
+  // 4 + 1 stretches; and half of one in the spring at the end.
+  const double limit = 0.4e4, stretch = limit / law().tangential_stiffness, exact = 15.5 * limit * stretch;
+  const double coarse = work_of_friction(40) / exact - 1.0, fine = work_of_friction(160) / exact - 1.0;
+  EXPECT_NEAR(fine, 0.0, 2e-3);
+  EXPECT_LT(std::abs(fine), 0.2 * std::abs(coarse) + 2e-4);
 }
 
 TEST(contact_law, friction_opposes_and_stays_below_the_limit) {

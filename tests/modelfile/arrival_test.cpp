@@ -197,7 +197,7 @@ analysis:
   EXPECT_EQ(d.statics.history, LayHistory::monotonic);
   const DynamicSettings& s = d.dynamics.value();
   expect_from(1, {s.duration, s.build_up, s.step.value(), s.max_step.value(), 10 * s.spectral_radius, s.output_step,
-                  s.impact_steps, s.impact_force, 1e4 * s.tolerance, 1e3 * s.step_error});
+                  s.impact_steps, s.impact_force.value(), 1e4 * s.tolerance, 1e3 * s.step_error.value()});
   EXPECT_EQ(s.seeds, (std::vector<std::uint64_t>{11, 12}));
   EXPECT_EQ(s.impacts, ImpactTreatment::captured);
 }

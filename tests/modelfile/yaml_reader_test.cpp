@@ -241,15 +241,15 @@ TEST(yaml_reader, time_steps_can_be_made_finer) {
       kGoodModel, "seeds: [3, 4]", "impact_steps: 20, impact_force: 300 N, tolerance: 1e-8, step_error: 0.1 mm"));
   ASSERT_TRUE(d.dynamics.has_value());
   EXPECT_DOUBLE_EQ(d.dynamics->impact_steps, 20.0);
-  EXPECT_DOUBLE_EQ(d.dynamics->impact_force, 300.0);
+  EXPECT_DOUBLE_EQ(d.dynamics->impact_force.value(), 300.0);
   EXPECT_DOUBLE_EQ(d.dynamics->tolerance, 1e-8);
-  EXPECT_DOUBLE_EQ(d.dynamics->step_error, 1e-4);
+  EXPECT_DOUBLE_EQ(d.dynamics->step_error.value(), 1e-4);
   const Description left_out = read_good(kGoodModel);
   const DynamicSettings settings;
   EXPECT_DOUBLE_EQ(left_out.dynamics->impact_steps, settings.impact_steps);
-  EXPECT_DOUBLE_EQ(left_out.dynamics->impact_force, settings.impact_force);
+  EXPECT_FALSE(left_out.dynamics->impact_force);
   EXPECT_DOUBLE_EQ(left_out.dynamics->tolerance, settings.tolerance);
-  EXPECT_DOUBLE_EQ(left_out.dynamics->step_error, settings.step_error);
+  EXPECT_FALSE(left_out.dynamics->step_error);
 }
 
 TEST(yaml_reader, a_controlled_tensioner_without_a_speed_is_told) {

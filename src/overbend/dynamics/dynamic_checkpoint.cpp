@@ -7,7 +7,7 @@
 namespace overbend {
 namespace {
 
-constexpr std::size_t kContactNumbers = 8;
+constexpr std::size_t kContactNumbers = 10;
 constexpr std::size_t kWaterNumbers = 8;
 constexpr std::size_t kBendingNumbers = 17 + kSliders * kDirections;
 
@@ -70,7 +70,7 @@ void save_line(DynamicCheckpoint& checkpoint, const std::string& name, const Lin
   for (const ContactMemory& c : line.contacts) {
     contacts.insert(contacts.end(), {c.slip_axial, c.slip_lateral, c.carries ? 1.0 : 0.0, static_cast<double>(c.axial),
                                      static_cast<double>(c.lateral), static_cast<double>(c.element), c.xi,
-                                     static_cast<double>(c.passing)});
+                                     static_cast<double>(c.passing), c.rate_axial, c.rate_lateral});
   }
   put(checkpoint, name + "contacts", std::move(contacts));
   if (!line.bending.empty()) {
@@ -91,7 +91,8 @@ void restore_line(const DynamicCheckpoint& checkpoint, const std::string& name, 
   for (std::size_t i = 0; i < line.contacts.size(); ++i) {
     const double* v = &contacts.at(kContactNumbers * i);
     line.contacts[i] = {
-        v[0], v[1], v[2] != 0.0, slip_of(v[3]), slip_of(v[4]), static_cast<int>(v[5]), v[6], static_cast<int>(v[7])};
+        v[0], v[1], v[2] != 0.0, slip_of(v[3]), slip_of(v[4]), static_cast<int>(v[5]), v[6], static_cast<int>(v[7]),
+        v[8], v[9]};
   }
   if (!line.bending.empty()) {
     const std::vector<double>& bending = checkpoint_array(checkpoint, name + "bending");

@@ -9,14 +9,14 @@ namespace {
 /// Of a swing of frequency w, h^2 T'' is (w h)^2/2 of its range: w h = 0.1, 63 steps a period, leaves 0.2 % of the
 /// range as error of the scheme.
 constexpr double kBendOfRange = 5e-3;
-constexpr double kBendOfTension = 1e-4;       ///< Where hardly anything swings.
-constexpr double kShortestForTension = 0.02;  ///< What impacts put on the tension is not followed further [s].
-constexpr double kLeastGrowth = 1.15;         ///< Of the step: less is not worth new factors.
-constexpr double kMostGrowth = 2.25;          ///< Of the step, where it may grow at all.
-constexpr int kTimesToGrow = 2;               ///< Steps of one length before a longer one: factors serve both.
-constexpr double kNextToNothing = 0.01;       ///< Of the tolerance: steps that grow by kMostGrowth leave it far away.
-constexpr int kMostUnseen = 4;                ///< Steps in succession without an estimate of their error,
-constexpr double kUnseenTime = 0.1;           ///< and how long they may be together, of the longest step.
+constexpr double kBendOfTension = 1e-4;  ///< Where hardly anything swings.
+constexpr double kSnap = 0.3;            ///< Of the shortest usual step: a tenth of its bend.
+constexpr double kLeastGrowth = 1.15;    ///< Of the step: less is not worth new factors.
+constexpr double kMostGrowth = 2.25;     ///< Of the step, where it may grow at all.
+constexpr int kTimesToGrow = 2;          ///< Steps of one length before a longer one: factors serve both.
+constexpr double kNextToNothing = 0.01;  ///< Of the tolerance: steps that grow by kMostGrowth leave it far away.
+constexpr int kMostUnseen = 4;           ///< Steps in succession without an estimate of their error,
+constexpr double kUnseenTime = 0.1;      ///< and how long they may be together, of the longest step.
 
 /// Steps of output that cover a time: a time just over a whole number of them is that number.
 std::int64_t rows_in(double time, double output_step) {
@@ -42,15 +42,19 @@ void TensionWatch::start(double tension) {
   *this = {tension, 0.0, tension, tension};
 }
 
-double TensionWatch::longest_step(double tension, double h) {
-  const double now = (tension - last) / h;
-  const double bend = std::abs(now - slope) * h;  // h^2 T''
+double TensionWatch::longest_step(double tension, double h, const ShortestSteps& shortest) const {
+  const double bend = std::abs((tension - last) / h - slope) * h;  // h^2 T''
+  const double range = std::max(most, tension) - std::min(least, tension);
+  const double allowed = std::max(kBendOfRange * range, kBendOfTension * std::abs(tension));
+  const double step = h * std::sqrt(allowed / std::max(bend, 1e-9 * allowed));
+  return std::max(step, step < kSnap * shortest.usual ? shortest.snap : shortest.usual);
+}
+
+void TensionWatch::took(double tension, double h) {
+  slope = (tension - last) / h;
+  last = tension;
   least = std::min(least, tension);
   most = std::max(most, tension);
-  last = tension;
-  slope = now;
-  const double allowed = std::max(kBendOfRange * (most - least), kBendOfTension * std::abs(tension));
-  return std::max(h * std::sqrt(allowed / std::max(bend, 1e-9 * allowed)), kShortestForTension);
 }
 
 void StepChooser::took(double h) {
@@ -58,9 +62,8 @@ void StepChooser::took(double h) {
   taken = h;
 }
 
-void StepChooser::start_short() {
-  constexpr double kShort = 1e-3;  // a jerk goes through a wire with the speed of sound, some metres in it [s]
-  wanted = std::min(wanted, kShort);
+void StepChooser::start_short(double h) {
+  wanted = std::min(wanted, h);
   estimated_step = 0.0;
   unseen = 0;
 }

@@ -26,6 +26,12 @@ double end_of_run(double duration, double output_step);
 
 Clock make_clock(const DynamicOptions& options, double interval);
 
+/// Shortest steps that a tension asks for [s]: as a rule, and where it bends by ten times more than those leave to be
+/// followed, as when a slack line snaps tight.
+struct ShortestSteps {
+  double usual = 0.0, snap = 0.0;
+};
+
 /// Watches how the tension at the top bends from step to step. Steps that follow its swings to a fraction of their
 /// period follow everything else that swings with them.
 struct TensionWatch {
@@ -34,10 +40,17 @@ struct TensionWatch {
 
   void start(double tension);
   /// Longest step that the tension after one of `h` allows [s].
-  double longest_step(double tension, double h);
+  double longest_step(double tension, double h, const ShortestSteps& shortest) const;
+  void took(double tension, double h);
 };
 
 inline constexpr double kSmallestStep = 1e-7;  ///< [s]
+/// Shares of DynamicOptions::time_scale. The first step, and the shortest that the tension of a pipe asks for: what
+/// impacts put on it is not followed further. 20 ms as a rule.
+inline constexpr double kShortStep = 0.16;
+/// The first step after something parted, and the shortest to the instant of a change or by the tension of lines: a
+/// jerk goes through a wire with the speed of sound, some metres in it. 1 ms as a rule.
+inline constexpr double kEventStep = 0.008;
 
 /// Chooses steps between ticks.
 struct StepChooser {
@@ -63,7 +76,8 @@ struct StepChooser {
   /// After a step of `h`.
   void took(double h);
   /// At an instant from which on what is to come does not follow from what was: errors estimated before say nothing.
-  void start_short();
+  /// The next is of `h` at most.
+  void start_short(double h);
   /// Error of the step taken, from `estimate()`; where that of a few steps before leads to next to nothing, and
   /// `longest` is far longer than they were, as with the short steps of impacts, by the cube of the step.
   template <class Estimate>

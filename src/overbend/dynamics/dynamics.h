@@ -16,6 +16,7 @@ struct DynamicOptions {
   double duration = 0.0, build_up = 60.0, output_step = 0.5;  ///< [s]
   std::optional<double> fixed_step;                           ///< [s]
   double max_step = 0.125;                                    ///< [s]
+  double time_scale = 0.125;                                  ///< See kShortStep and kEventStep [s].
   double error_tolerance = 1e-3;  ///< Of a node's place in one step, where the step is free [m].
   /// From rest, where a free hull is let go: a decay. Along and about the axes of the hull as drawn [m, rad].
   Vec6 release = Vec6::Zero();

@@ -18,7 +18,6 @@
 namespace overbend {
 namespace {
 
-constexpr double kShortestToEvent = 1e-3;  ///< Steps are not cut further to meet a change of the tensioner [s].
 constexpr double kUnlimited = 1e300;
 
 }  // namespace
@@ -46,7 +45,7 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
     water_.emplace_back(setup_.sea, setup_.system.lines[i].mesh, state_.lines[i].q, options.build_up, setup_.interval);
   }
   water_memory_.resize(water_.size());
-  chooser_.wanted = options.fixed_step.value_or(std::min(chooser_.wanted, options.max_step));
+  chooser_.wanted = options.fixed_step.value_or(std::min(kShortStep * options.time_scale, options.max_step));
   ended_.reserve(setup_.rollers.size());
   if (!begin() && !failure_) {
     failure_ = StaticFailure{"the masses of the line are singular", "", "a section without mass"};
@@ -118,7 +117,7 @@ bool Simulation::part_lines() {
   assembly_->set_time(state_.time, state_);
   assembly_->set_drive(tensioner(state_).machine.drive);
   stepper_->forget();
-  if (!options_.fixed_step) chooser_.start_short();
+  if (!options_.fixed_step) chooser_.start_short(kEventStep * options_.time_scale);
   return begin_motion(*assembly_, state_);
 }
 
@@ -190,7 +189,9 @@ void Simulation::adapt(double h) {
   }
   const double error =
       chooser_.error(options_.error_tolerance, options_.max_step, [&] { return stepper_->local_error(state_, next_); });
-  const double longest = std::min(options_.max_step, watch_.longest_step(assembly_->machine_tension(), h));
+  const double shortest = kShortStep * options_.time_scale, tension = assembly_->machine_tension();
+  const double longest = std::min(options_.max_step, watch_.longest_step(tension, h, {shortest, shortest}));
+  watch_.took(tension, h);
   chooser_.adapt(error, options_.error_tolerance, longest);
 }
 
@@ -215,7 +216,7 @@ double Simulation::to_timed_event() const {
   if (law.mode != TensionerMode::controlled) {
     return to_parting;
   }
-  return std::min(to_parting, std::max(time_to_move(law, tensioner(state_).machine), kShortestToEvent));
+  return std::min(to_parting, std::max(time_to_move(law, tensioner(state_).machine), kEventStep * options_.time_scale));
 }
 
 /// How long the step just tried may be to meet the instant at which its tension makes the tensioner change [s]; `tried`
@@ -229,7 +230,7 @@ double Simulation::step_to_tensioner(double h, EventTry& tried) const {
   const EventTry before =
       tried.h > 0.0 ? tried : EventTry{0.0, excess(law, now.machine, now.machine.tension, now.travel.v)};
   tried = {h, excess(law, next.machine, assembly_->machine_tension(), next.travel.v)};
-  return step_to_event(law, before, tried, kShortestToEvent);
+  return step_to_event(law, before, tried, kEventStep * options_.time_scale);
 }
 
 bool Simulation::reject(double wanted) {

@@ -24,13 +24,12 @@ std::vector<double> lumped_mass(const Line& line) {
 
 /// How much of a node's error counts. Of pipe all, but for what was added to it as laid behind the far end of statics.
 /// There and in moorings, what an error does to the forces is that it turns the elements beside the node, and the
-/// longer they are the less; up to 5 m all of it counts. (Lines that may meet rollers are pipe.)
-std::vector<double> error_weights(const Line& line) {
-  constexpr double kShort = 5.0;  // m
+/// longer they are the less; up to `short_element` all of it counts. (Lines that may meet rollers are pipe.)
+std::vector<double> error_weights(const Line& line, double short_element) {
   std::vector<double> weights;
   for (int node = 0; node < line.mesh.nodes(); ++node) {
     const bool pipe = line.on_rollers && line.mesh.s[static_cast<std::size_t>(node)] >= 0.0;
-    weights.push_back(pipe ? 1.0 : std::min(1.0, kShort / line.mesh.shortest_beside(node)));
+    weights.push_back(pipe ? 1.0 : std::min(1.0, short_element / line.mesh.shortest_beside(node)));
   }
   return weights;
 }
@@ -48,10 +47,10 @@ double body_error(const Assembly& assembly, const Increments& dq) {
 
 }  // namespace
 
-StepError::StepError(const System& system, const GeneralizedAlpha& scheme) : scheme_(scheme) {
+StepError::StepError(const System& system, const GeneralizedAlpha& scheme, double short_element) : scheme_(scheme) {
   for (const Line& line : system.lines) {
     lumped_mass_.push_back(lumped_mass(line));
-    weights_.push_back(error_weights(line));
+    weights_.push_back(error_weights(line, short_element));
   }
 }
 

@@ -12,6 +12,7 @@ namespace overbend {
 namespace {
 
 constexpr double kUnlimited = 1e300;
+constexpr double kFarShorter = 0.3;  ///< Than the step taken, the one that its tension asks for: it is taken again.
 
 }  // namespace
 
@@ -30,7 +31,7 @@ SystemRun::SystemRun(System system, LeadEnds lead, const Sea& sea, SystemState s
   assembly_.emplace(system_);
   stepper_.emplace(*assembly_, options.step);
   state_.time = clock_.time();
-  chooser_.wanted = options.fixed_step.value_or(std::min(chooser_.wanted, options.max_step));
+  chooser_.wanted = options.fixed_step.value_or(std::min(kShortStep * options.time_scale, options.max_step));
   report_.smallest_step = options.max_step;
   if (!begin()) failure_ = StaticFailure{"the masses of the lines are singular", "", "a section without mass"};
 }
@@ -78,12 +79,22 @@ void SystemRun::adapt(double h) {
   }
   const double error =
       chooser_.error(options_.error_tolerance, options_.max_step, [&] { return stepper_->local_error(state_, next_); });
+  chooser_.adapt(error, options_.error_tolerance, longest_by_tension(h));
+  for (std::size_t i = 0; i < watches_.size(); ++i) watches_[i].took(watched_tension(i), h);
+}
+
+double SystemRun::watched_tension(std::size_t watch) const {
+  return end_force(watch / 2, watch % 2 == 0 ? LineEnd::first : LineEnd::last).norm();
+}
+
+/// After a step of `h` just tried [s].
+double SystemRun::longest_by_tension(double h) const {
+  const ShortestSteps shortest{kShortStep * options_.time_scale, kEventStep * options_.time_scale};
   double longest = options_.max_step;
-  for (std::size_t i = 0; i < system_.lines.size(); ++i) {
-    longest = std::min(longest, watches_[2 * i].longest_step(end_force(i, LineEnd::first).norm(), h));
-    longest = std::min(longest, watches_[2 * i + 1].longest_step(end_force(i, LineEnd::last).norm(), h));
+  for (std::size_t i = 0; i < watches_.size(); ++i) {
+    longest = std::min(longest, watches_[i].longest_step(watched_tension(i), h, shortest));
   }
-  chooser_.adapt(error, options_.error_tolerance, longest);
+  return longest;
 }
 
 /// Lines whose time has come hang free from here on, with the accelerations that they then have.
@@ -91,7 +102,7 @@ bool SystemRun::part_lines() {
   if (!part_due_lines(system_, state_)) return true;
   assembly_->set_time(state_.time, state_);
   stepper_->forget();
-  if (!options_.fixed_step) chooser_.start_short();
+  if (!options_.fixed_step) chooser_.start_short(kEventStep * options_.time_scale);
   return begin_motion(*assembly_, state_);
 }
 
@@ -108,6 +119,11 @@ bool SystemRun::attempt(double h, double target) {
   }
   failure_ = hull_failure(system_, next_);
   if (failure_) return false;
+  if (const double longest = longest_by_tension(h); !options_.fixed_step && longest < kFarShorter * h) {
+    ++report_.rejected_steps;  // a line snapped within it
+    chooser_.wanted = longest;
+    return false;
+  }
   if (target - state_.time - h < 1e-6 * h) next_.time = target;
   accept(h);
   return true;

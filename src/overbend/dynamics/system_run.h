@@ -77,6 +77,8 @@ class SystemRun {
   bool attempt(double h, double target);
   void accept(double h);
   void adapt(double h);
+  double watched_tension(std::size_t watch) const;
+  double longest_by_tension(double h) const;
   void reach_tick();
 
   System system_;

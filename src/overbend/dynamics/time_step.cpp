@@ -53,7 +53,7 @@ TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
       most_further_(iterations_for_factors(assembly.system())),
       slow_lines_(most_further_.size()),
       dq_(assembly.increments()),
-      error_(assembly.system(), scheme_) {}
+      error_(assembly.system(), scheme_, settings.short_element) {}
 
 void TimeStepper::correct(SystemState& next, double h) const {
   const double velocity = scheme_.velocity_share(h), acceleration = scheme_.acceleration_share(h);

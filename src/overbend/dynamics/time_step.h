@@ -12,6 +12,7 @@ struct StepSettings {
   double spectral_radius = 0.6;
   double tolerance = 1e-6;  ///< Largest unbalanced nodal force over the force scale.
   int max_iterations = 12;
+  double short_element = 5.0;  ///< Beside longer ones errors of moorings count less, see StepError [m].
 };
 
 enum class StepEnd { converged, too_many_iterations, singular, lost };

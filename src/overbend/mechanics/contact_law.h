@@ -7,6 +7,9 @@
 /// mapping). Along the pipe mu is the roller's rolling resistance, across it the friction of pipe on roller.
 #pragma once
 
+#include <algorithm>
+#include <optional>
+
 namespace overbend {
 
 /// Constants of one roller.
@@ -52,17 +55,39 @@ struct FrictionForce {
 };
 
 /// The slip of a step of `dt` [s] and what it is measured against: `slip` at its start [m], `rate` at its end [m/s],
-/// `normal` force at its end [N].
+/// `normal` force at its end [N]; `start_rate` [m/s], where the contact was there before the step.
 struct SlipStep {
   double slip = 0.0, rate = 0.0, dt = 0.0, normal = 0.0;
+  std::optional<double> start_rate{};
 };
+
+/// Elastic slip at the end of a step in which a contact sticks from some instant on.
+struct ElasticSlip {
+  double slip = 0.0, by_rate = 0.0;  ///< [m], [s]
+  double by_most = 0.0;              ///< By the most that it may be [-].
+};
+
+/// The rate is linear in the step. Where it turns, the slip has by then gone no further than `most` either way, and
+/// comes back from there.
+inline ElasticSlip elastic_slip(const SlipStep& step, double most) {
+  const double r1 = step.rate, r0 = step.start_rate.value_or(r1), dt = step.dt;
+  if (!(r0 * r1 < 0.0)) {
+    return {step.slip + 0.5 * dt * (r0 + r1), step.start_rate ? 0.5 * dt : dt, 0.0};
+  }
+  const double turn = r0 / (r0 - r1), back = 1.0 - turn;  // shares of the step
+  const double free = step.slip + 0.5 * dt * r0 * turn, farthest = std::clamp(free, -most, most);
+  const double sign = farthest < free ? 1.0 : farthest > free ? -1.0 : 0.0;
+  const double outwards = sign == 0.0 ? 0.5 * dt * turn * turn : 0.0;
+  return {farthest + 0.5 * dt * r1 * back, outwards + 0.5 * dt * back * (1.0 + turn), sign};
+}
 
 /// Friction of a contact known to stick or to slide.
 inline FrictionForce friction_in_state(const ContactLaw& law, double mu, const SlipStep& step, Slip state) {
   if (state == Slip::stick) {
-    const double slip = step.slip + step.dt * step.rate;
-    return {-(law.tangential_stiffness * slip + law.tangential_damping * step.rate),
-            -(law.tangential_stiffness * step.dt + law.tangential_damping), 0.0, slip, state};
+    const double k = law.tangential_stiffness;
+    const ElasticSlip elastic = elastic_slip(step, k > 0.0 ? std::max(mu * step.normal, 0.0) / k : 0.0);
+    return {-(k * elastic.slip + law.tangential_damping * step.rate), -(k * elastic.by_rate + law.tangential_damping),
+            -mu * elastic.by_most, elastic.slip, state};
   }
   const double side = static_cast<int>(state);
   const double limit = mu * step.normal;

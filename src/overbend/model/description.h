@@ -259,10 +259,10 @@ struct DynamicSettings {
   double output_step = 0.5;  ///< [s]
   std::vector<std::uint64_t> seeds;
   ImpactTreatment impacts = ImpactTreatment::resolved;
-  double impact_steps = 16.0;  ///< Steps in the undamped contact time of an impact.
-  double impact_force = 1e3;   ///< Impacts weaker than this are neither resolved nor recorded [N].
-  double tolerance = 1e-6;     ///< Largest unbalanced nodal force over the line's weight.
-  double step_error = 1e-3;    ///< Of a node's place in one step, where the step is free [m].
+  double impact_steps = 16.0;          ///< Steps in the undamped contact time of an impact.
+  std::optional<double> impact_force;  ///< Impacts weaker than this are neither resolved nor recorded [N].
+  double tolerance = 1e-6;             ///< Largest unbalanced nodal force over the line's weight.
+  std::optional<double> step_error;    ///< Of a node's place in one step, where the step is free [m].
 };
 
 /// Document control: what the head of the report says of itself. Plain words of the user, empty where not given.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "model/step_scales.h"
 #include "model/wave_theory.h"
 
 namespace overbend {
@@ -136,7 +137,8 @@ void assume_rollers(Sentences& list, const Model& model, const DynamicSettings& 
         "histories, percentiles and extremes over hours of reactions, are those at the ends of steps, without these "
         "peaks. For screening: 'overbend compare --of impacts' tells the difference.");
   }
-  list.push_back(fmt::format("Impacts weaker than {:.4g} kN are neither {} nor recorded.", 1e-3 * settings.impact_force,
+  list.push_back(fmt::format("Impacts weaker than {:.4g} kN are neither {} nor recorded.",
+                             1e-3 * settings.impact_force.value_or(step_scales(model).force),
                              settings.impacts == ImpactTreatment::captured ? "counted" : "resolved"));
   list.push_back(
       "Dents follow from the relation of DNV-RP-F107 for bare steel, which neglects the effects of coatings, pressure, "

@@ -221,11 +221,12 @@ std::vector<Field> analysis() {
            "Time steps in the undamped contact time of an impact on a roller, up to its peak; half as many after it.",
        .range = {.low = 2.0, .high = 1000.0}},
       {.path = d + ".impact_force",
-       .member = defaults(&DynamicSettings::impact_force),
+       .member = fills(&DynamicSettings::impact_force),
        .kind = FieldKind::quantity,
        .text = "Impacts weaker than this (undamped estimate) are neither resolved nor recorded.",
        .unit = "N",
        .show = "kN",
+       .fallback_text = "1 kN, or for a slender pipe less: w (EI/w)^(1/3)/40",
        .range = {.low = 0.0, .low_open = true},
        .usual = {.low = 1.0, .high = 1e6}},
       {.path = d + ".tolerance",
@@ -234,12 +235,13 @@ std::vector<Field> analysis() {
        .text = "Largest unbalanced nodal force divided by the weight of the line.",
        .range = {.low = 0.0, .high = 1e-3, .low_open = true}},
       {.path = d + ".step_error",
-       .member = defaults(&DynamicSettings::step_error),
+       .member = fills(&DynamicSettings::step_error),
        .kind = FieldKind::quantity,
        .text = "Position error of a node per step, which controls the adaptive step size; "
                "more in proportion beside elements of moorings longer than 5 m.",
        .unit = "m",
        .show = "mm",
+       .fallback_text = "1 mm, or for a slender pipe or a short line less: D/250, L/50000",
        .range = {.low = 0.0, .high = 1.0, .low_open = true}},
       {.path = d + ".seeds",
        .member = taken_by<DynamicSettings>(count_seeds),
@@ -261,7 +263,8 @@ std::vector<Field> analysis() {
   };
   for (Field& row : rows) {
     if (row.path == d + ".duration") row.required = true;
-    if (row.path == d + ".step" || row.path == d + ".max_step") row.fallback_text = "chosen by the program";
+    if (row.path == d + ".step") row.fallback_text = "chosen by the program";
+    if (row.path == d + ".max_step") row.fallback_text = "125 ms, or a fiftieth of the shortest period told";
   }
   return rows;
 }

@@ -346,8 +346,10 @@ void RollerContacts::evaluate_one(std::size_t index, const std::optional<Meeting
   contact.lateral_direction = away.cross(contact.axial_direction);
   contact.slip_rate_axial = meeting->slip_rate.dot(contact.axial_direction);
   contact.slip_rate_lateral = meeting->slip_rate.dot(contact.lateral_direction);
-  const auto friction = [&](double mu, double slip, double rate, Slip at_start, Slip last, double full) {
-    const SlipStep step{slip, rate, weights.step, normal.force};
+  const auto friction = [&](double mu, double slip, double start_rate, double rate, Slip at_start, Slip last,
+                            double full) {
+    SlipStep step{slip, rate, weights.step, normal.force};
+    if (before.carries) step.start_rate = start_rate;
     if (!easing_.friction) return full == 0.0 ? FrictionForce{} : friction_in_state(roller.law, mu, step, slide(full));
     if (kept) {
       return friction_in_state(roller.law, mu, step, at_start);
@@ -359,13 +361,22 @@ void RollerContacts::evaluate_one(std::size_t index, const std::optional<Meeting
     }
     return force;
   };
-  const FrictionForce axial = friction(roller.law.friction_axial, before.slip_axial, contact.slip_rate_axial,
-                                       before.axial, iterate_[index].axial, easing_.rub.along);
-  const FrictionForce lateral = friction(roller.law.friction_lateral, before.slip_lateral, contact.slip_rate_lateral,
-                                         before.lateral, iterate_[index].lateral, 0.0);
+  const FrictionForce axial = friction(roller.law.friction_axial, before.slip_axial, before.rate_axial,
+                                       contact.slip_rate_axial, before.axial, iterate_[index].axial, easing_.rub.along);
+  const FrictionForce lateral = friction(roller.law.friction_lateral, before.slip_lateral, before.rate_lateral,
+                                         contact.slip_rate_lateral, before.lateral, iterate_[index].lateral, 0.0);
   contact.axial = axial.force;
   contact.lateral = lateral.force;
-  after = {axial.slip, lateral.slip, true, axial.state, lateral.state, after.element, after.xi, after.passing};
+  after = {axial.slip,
+           lateral.slip,
+           true,
+           axial.state,
+           lateral.state,
+           after.element,
+           after.xi,
+           after.passing,
+           contact.slip_rate_axial,
+           contact.slip_rate_lateral};
   signature_ =
       mixed(signature_, 16 * index + (axial.state == Slip::stick ? 0u : 1u) + (lateral.state == Slip::stick ? 0u : 2u));
   push(index, meeting->shape, target);

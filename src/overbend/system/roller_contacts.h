@@ -24,6 +24,7 @@ struct ContactMemory {
   int element = 0;  ///< Where the closest point was: the search begins here.
   double xi = 0.5;
   int passing = 0;  ///< How many elements further on the line passed the roller's axis, see ClosestPoint.
+  double rate_axial = 0.0, rate_lateral = 0.0;  ///< Of the slip, where the contact carried [m/s].
 };
 
 /// One roller as the line meets it at one instant.
