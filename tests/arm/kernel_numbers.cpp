@@ -80,6 +80,8 @@ LineView pipe(Arrays& a) {
   line.length = a.of(1.0, 2.0, 1.0);
   line.EA = a.of(2e6, 3e6);
   line.EI = a.of(2e4, 3e4);
+  line.compression = a.of(0.0, 1.0, 1.0);
+  line.damping = a.of(0.0, 1e-3, 1e-3);
   line.weight = a.of(900.0, 1000.0);
   line.buoyancy = a.of(700.0, 800.0);
   line.radius = a.of(0.16, 0.2, 0.1);

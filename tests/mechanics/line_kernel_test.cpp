@@ -4,6 +4,7 @@
 
 #include "mechanics/point_load.h"
 #include "mechanics/quadrature.h"
+#include "mechanics/slack_law.h"
 #include "support/fixtures.h"
 
 namespace overbend {
@@ -69,8 +70,8 @@ std::vector<double> residual(const Setting& s, const std::vector<double>& q, Blo
   return r;
 }
 
-TEST(line_kernel, agrees_with_the_scalar_rod_element) {
-  const Setting s = setting({50.0}, false);
+/// Against the scalar form.
+void expect_rods(const Setting& s) {
   BlockTridiagonal tangent(s.nodes);
   const std::vector<double> force = residual(s, s.q, &tangent, best_isa());
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(6 * s.nodes);
@@ -78,13 +79,43 @@ TEST(line_kernel, agrees_with_the_scalar_rod_element) {
   for (int e = 0; e + 1 < s.nodes; ++e) {
     const std::size_t i = static_cast<std::size_t>(e);
     const RodForce rod =
-        rod_force({s.elements.length[i], s.elements.EA[i], s.elements.EI[i]}, testing::element_dofs(s.q, e));
+        rod_force({s.elements.length[i], s.elements.EA[i], s.elements.EI[i], s.elements.compression[i]},
+                  testing::element_dofs(s.q, e));
     expected.segment<12>(6 * e) += rod.force;
     stiffness.block<12, 12>(6 * e, 6 * e) += rod.stiffness;
   }
   const Eigen::Map<const Eigen::VectorXd> got(force.data(), 6 * s.nodes);
   EXPECT_LT((got - expected).cwiseAbs().maxCoeff(), 1e-12 * expected.cwiseAbs().maxCoeff());  // rounding
   EXPECT_LT((dense(tangent) - stiffness).cwiseAbs().maxCoeff(), 1e-12 * stiffness.cwiseAbs().maxCoeff());
+}
+
+TEST(line_kernel, agrees_with_the_scalar_rod_element) {
+  expect_rods(setting({50.0}, false));
+}
+
+// Batches of elements that only pull, of pipe, and of both.
+TEST(line_kernel, agrees_with_the_scalar_rod_element_where_lines_go_slack) {
+  for (const std::size_t every : {1u, 2u, 3u}) {
+    Setting s = setting({50.0}, false);
+    for (std::size_t i = 0; i < s.elements.compression.size(); i += every) s.elements.compression[i] = kSlackShare;
+    for (std::size_t node = 0; node < static_cast<std::size_t>(s.nodes); ++node) {
+      const double strain = node % 3 == 0 ? 1e-3 : node % 3 == 1 ? -1e-3 : 0.4 * kSlackStrain;
+      Eigen::Map<Vec3> tangent(s.q.data() + 6 * node + 3);
+      tangent *= (1.0 + strain) / tangent.norm();
+    }
+    expect_rods(s);
+    const std::vector<double> still(s.q.size(), 0.0);
+    const double energy =
+        line_energy(s.elements, s.env, {s.q.data(), nullptr}, {still.data(), still.data()}, best_isa()).strain;
+    double expected = 0.0;
+    for (int e = 0; e + 1 < s.nodes; ++e) {
+      const std::size_t i = static_cast<std::size_t>(e);
+      expected += rod_force({s.elements.length[i], s.elements.EA[i], s.elements.EI[i], s.elements.compression[i]},
+                            testing::element_dofs(s.q, e))
+                      .energy;
+    }
+    EXPECT_NEAR(energy, expected, 1e-12 * expected);
+  }
 }
 
 class line_kernel_loads : public ::testing::TestWithParam<Place> {};

@@ -70,6 +70,8 @@ inline System rod_system(const RodMaterial& material, double length, int count) 
   };
   fill(e.length, h, 1.0);
   fill(e.radius, material.radius, 1.0);
+  fill(e.compression, 1.0, 1.0);
+  fill(e.damping, 0.0, 0.0);
   const std::pair<AlignedDoubles*, double> constants[] = {{&e.EA, material.EA},
                                                           {&e.EI, material.EI},
                                                           {&e.weight, material.weight},

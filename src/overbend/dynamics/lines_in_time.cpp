@@ -31,13 +31,24 @@ void add_swing(const Swing& swing, double time, const BuildUp& b, EndMotion& end
   end.acceleration += (b.acceleration * s + 2.0 * b.rate * rate + b.value * bend) * swing.amplitude;
 }
 
-/// The part along the line of the force that holds an end, negative where it pushes: a line that is stiff, or held by
-/// the bed's friction, bears some compression. Not the force's size with a sign: at a clamped end that bears a weight
-/// across the line, it would leap from one side of zero to the other with every small push.
+/// Of a force at a node, as it is told: where only elements that pull meet, a push is the inertia of half an element
+/// and goes with its length.
+double borne(const LineElements& elements, std::size_t node, double tension) {
+  const std::size_t last = static_cast<std::size_t>(elements.count) - 1;
+  const bool pushed =
+      elements.compression[std::min(node, last)] == 1.0 || elements.compression[node > 0 ? node - 1 : 0] == 1.0;
+  return pushed ? tension : std::max(tension, 0.0);
+}
+
+/// The part along the line of the force that holds an end, negative where it pushes: a line that is stiff bears some
+/// compression. Not the force's size with a sign: at a clamped end that bears a weight across the line, it would leap
+/// from one side of zero to the other with every small push.
 double end_tension(const SystemRun& run, std::size_t line, LineEnd which) {
-  const std::size_t node = static_cast<std::size_t>(run.assembly().line(line).end_node(which));
+  const LineAssembly& at = run.assembly().line(line);
+  const std::size_t node = static_cast<std::size_t>(at.end_node(which));
   const Vec3 along = Eigen::Map<const Vec3>(run.state().lines[line].q.data() + 6 * node + 3);
-  return (which == LineEnd::last ? 1.0 : -1.0) * run.end_force(line, which).dot(along.normalized());
+  const double tension = (which == LineEnd::last ? 1.0 : -1.0) * run.end_force(line, which).dot(along.normalized());
+  return borne(at.line().elements, node, tension);
 }
 
 }  // namespace
@@ -95,7 +106,7 @@ void LineRecorder::stepped(const SystemRun& run) {
     for (std::size_t node = 0; node < line.least_tension.size(); ++node) {
       const CutForces cut = cut_at_node(run.assembly().line(i).cuts(), q, node);
       const Vec3 tangent = Eigen::Map<const Vec3>(q.data() + 6 * node + 3).normalized();
-      const double tension = cut.force.dot(tangent);
+      const double tension = borne(run.assembly().line(i).line().elements, node, cut.force.dot(tangent));
       line.least_tension[node] = std::min(line.least_tension[node], tension);
       line.most_tension[node] = std::max(line.most_tension[node], tension);
     }

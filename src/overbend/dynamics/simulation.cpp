@@ -89,7 +89,7 @@ bool Simulation::begin() {
   observe_tension(state_, 0.0);
   controllers_.begin(*assembly_, state_);
   watch_.start(assembly_->machine_tension());
-  energy_.start(assembly_->energy(state_), kLeastMotion * pipe().force_scale, assembly_->free_bodies() > 0);
+  energy_.start(*assembly_, state_, kLeastMotion * pipe().force_scale, assembly_->free_bodies() > 0);
   ended_.clear();
   tracker_->accept(contacts(), state_.time, 1.0, ended_);
   report_.smallest_step = options_.max_step;
@@ -151,7 +151,7 @@ void Simulation::convey() {
     water_.front().renew(water_memory_.front(), state_.time, pipe.q, pipe.v);
   }
   renew_system();
-  energy_.carry(before, assembly_->energy(state_));
+  energy_.carry(before, *assembly_, state_);
   watch_.last = assembly_->machine_tension();
 }
 
@@ -263,7 +263,7 @@ bool Simulation::attempt(double h, double target, double& to_event, EventTry& tr
 
 void Simulation::accept(double h) {
   adapt(h);
-  energy_.add(assembly_->energy(next_), h);
+  energy_.add(*assembly_, next_, h);
   ended_.clear();
   tracker_->accept(contacts(), next_.time, h, ended_);
   observe_tension(next_, h);

@@ -61,7 +61,7 @@ bool SystemRun::begin() {
     watches_[2 * i + 1].start(end_force(i, LineEnd::last).norm());
   }
   for (std::size_t i = 0; i < assembly_->free_bodies(); ++i) scale += assembly_->free_body(i).force_scale;
-  energy_.start(assembly_->energy(state_), kLeastMotion * scale, assembly_->free_bodies() > 0);
+  energy_.start(*assembly_, state_, kLeastMotion * scale, assembly_->free_bodies() > 0);
   next_ = state_;
   return true;
 }
@@ -131,7 +131,7 @@ bool SystemRun::attempt(double h, double target) {
 
 void SystemRun::accept(double h) {
   adapt(h);
-  energy_.add(assembly_->energy(next_), h);
+  energy_.add(*assembly_, next_, h);
   std::swap(state_, next_);
   ++report_.steps;
   report_.smallest_step = std::min(report_.smallest_step, h);

@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "mechanics/element_constants.h"
+#include "mechanics/slack_law.h"
 #include "model/bed_shape.h"
+#include "model/line_types.h"
 
 namespace overbend {
 namespace {
@@ -18,6 +20,18 @@ double least_bending(const LineTypeDescription& type, double diameter) {
   return std::min(kShare * type.axial_stiffness * diameter * diameter, type.weight_in_air * std::pow(kMetre, 3));
 }
 
+/// Of a line that is held at one end the first axial mode has a quarter of its wave in it: its frequency is pi/2 over
+/// the time in which an axial wave goes through.
+void set_damping(LineElements& e) {
+  double time = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+    if (e.compression[i] < 1.0) time += e.length[i] * std::sqrt(e.mass[i] / e.EA[i]);
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+    if (e.compression[i] < 1.0) e.damping[i] = 4.0 / std::numbers::pi * kSlackDamping * time;
+  }
+}
+
 }  // namespace
 
 ElementConstants pipe_constants(const Model& model, const Section& section) {
@@ -25,6 +39,7 @@ ElementConstants pipe_constants(const Model& model, const Section& section) {
   ElementConstants c;
   c.EA = section.EA;
   c.EI = section.EI;
+  if (section.kind == SectionKind::cable) c.compression = kSlackShare;
   c.weight = section.weight_in_air;
   c.buoyancy = model.water_weight_density * section.external_area;
   c.radius = section.outer_radius();
@@ -49,6 +64,7 @@ ElementConstants cable_constants(const Model& model, const LineTypeDescription& 
   c.buoyancy = type.weight_in_air - type.weight_submerged;
   c.radius = area > 0.0 ? std::sqrt(area / std::numbers::pi) : 0.5 * type.diameter;
   c.EI = std::max(type.bending_stiffness, least_bending(type, 2.0 * c.radius));
+  if (!bears_compression(type)) c.compression = kSlackShare;
   c.drag_normal = 0.5 * model.water_density * type.drag_normal * drag_diameter;
   c.drag_axial = 0.5 * model.water_density * std::numbers::pi * drag_diameter * type.drag_axial;
   c.mass = type.weight_in_air / kGravity;
@@ -71,6 +87,8 @@ LineElements elements_of_kinds(const std::vector<double>& lengths, const std::ve
   };
   fill(e.EA, &ElementConstants::EA, 0.0);
   fill(e.EI, &ElementConstants::EI, 0.0);
+  fill(e.compression, &ElementConstants::compression, 1.0);
+  e.damping.assign(padded, 0.0);
   fill(e.weight, &ElementConstants::weight, 0.0);
   fill(e.buoyancy, &ElementConstants::buoyancy, 0.0);
   fill(e.radius, &ElementConstants::radius, 1.0);
@@ -83,6 +101,7 @@ LineElements elements_of_kinds(const std::vector<double>& lengths, const std::ve
   fill(e.displaced_mass, &ElementConstants::displaced_mass, 0.0);
   fill(e.added_normal, &ElementConstants::added_normal, 0.0);
   fill(e.added_axial, &ElementConstants::added_axial, 0.0);
+  set_damping(e);
   return e;
 }
 
@@ -137,6 +156,8 @@ LineView LineElements::view() const {
   v.length = length.data();
   v.EA = EA.data();
   v.EI = EI.data();
+  v.compression = compression.data();
+  v.damping = damping.data();
   v.weight = weight.data();
   v.buoyancy = buoyancy.data();
   v.radius = radius.data();

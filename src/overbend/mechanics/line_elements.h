@@ -18,6 +18,8 @@ struct LineElements {
   int count = 0;
   AlignedDoubles length;             ///< Unstressed [m].
   AlignedDoubles EA, EI;             ///< [N], [N m2]
+  AlignedDoubles compression;        ///< Share of EA that bears compression, see slack_law.h [-].
+  AlignedDoubles damping;            ///< Internal, of what bears none: a time, see slack_law.h [s].
   AlignedDoubles weight;             ///< In air, with contents [N/m].
   AlignedDoubles buoyancy;           ///< Fully submerged [N/m].
   AlignedDoubles radius;             ///< Over the coatings [m].

@@ -118,7 +118,9 @@ void add_batch(const LineData& data, UpperForces& upper, UpperBlocks* blocks, En
   BatchTangent memory;
   BatchTangent* tangent = kTangent ? &memory : nullptr;
   gather(e, line, shape, first);
-  const Lanes EA = load_lanes(line.EA + first), EI = load_lanes(line.EI + first);
+  const Lanes EI = load_lanes(line.EI + first);
+  const AxialConstants axial{load_lanes(line.EA + first), load_lanes(line.compression + first),
+                             load_lanes(line.damping + first), kMoving ? motion->velocity_share : 0.0};
   const int used = line.count - first < kWidth ? line.count - first : kWidth, padded = padded_count(line);
   BatchMotion m;
   if constexpr (kMoving) {
@@ -127,10 +129,15 @@ void add_batch(const LineData& data, UpperForces& upper, UpperBlocks* blocks, En
     m.head[0] = m.head[1] = Lanes{};
   }
   const EnergySums energy{sum, kEnergy ? counting(e.h, used) : Lanes{}};
-  const Membrane membrane = membrane_of(e, pressure_tension(line, first), m.head);
-  add_membrane<kTangent>(e, tangent, EA, membrane);
+  Membrane membrane = membrane_of(e, pressure_tension(line, first), m.head);
+  if constexpr (kMoving) {
+    if (kEnergy || axial.slack()) set_rates(membrane, e, slopes_at_strains(m.v).at);
+  } else if (axial.slack()) {
+    set_no_rates(membrane);
+  }
+  add_membrane<kTangent>(e, tangent, axial, membrane);
   if constexpr (kEnergy) {
-    add_membrane_energy(energy, e, m.v, EA, membrane);
+    add_membrane_energy(energy, axial, membrane);
   }
   const LoadConstants loads = load_constants(line, first);
   const InertiaConstants inertia = kMoving ? inertia_constants(line, first) : InertiaConstants{};

@@ -12,7 +12,7 @@ struct BedShape;
 /// Element constants, see LineElements.
 struct LineView {
   int count = 0;
-  const double *length, *EA, *EI, *weight, *buoyancy, *radius, *drag_normal, *drag_axial;
+  const double *length, *EA, *EI, *compression, *damping, *weight, *buoyancy, *radius, *drag_normal, *drag_axial;
   const double *pressure_constant, *pressure_slope, *pressure_external;
   const double *mass, *displaced_mass, *added_normal, *added_axial;
 };
@@ -99,6 +99,7 @@ struct LineEnergy {
   double kinetic = 0.0, strain = 0.0, gravity = 0.0, seabed = 0.0;  ///< [J]
   double fluid_power = 0.0;  ///< Of buoyancy, drag, inertia forces of the water and pressure on the pipe [W].
   double seabed_loss = 0.0;  ///< Damping and friction of the bed, stored stretch included [W].
+  double line_loss = 0.0;    ///< Internal damping of what only pulls [W].
 };
 
 /// Where the results go, whatever is not null. Everything is written.

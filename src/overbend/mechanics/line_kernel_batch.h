@@ -109,6 +109,8 @@ struct BatchTangent {
   Lanes by_slope[kSlopeDofs][kSlopeDofs];      ///< Of strains, symmetric: the blocks on and above the diagonal.
   Lanes by_height[kSlopeDofs][3];              ///< Of the tension of pressure, in z of kMean, kTurn, kChord.
   Mat in_r[kGaussPoints], in_a[kGaussPoints];  ///< Of loads, in place and slope, times the point's weight.
+  bool has_rates = false;                      ///< Where elements only pull:
+  Vec rate_rows[3], rate_columns[3];           ///< by the rates of the three strains, a column in a row.
   Lanes k[kDofs][kDofs];                       ///< All together.
 };
 

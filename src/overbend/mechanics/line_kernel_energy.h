@@ -8,7 +8,7 @@ namespace {
 
 /// As LineEnergy, of every lane apart: added up at the end of the line.
 struct EnergyLanes {
-  Lanes kinetic{}, strain{}, gravity{}, seabed{}, fluid_power{}, seabed_loss{};
+  Lanes kinetic{}, strain{}, gravity{}, seabed{}, fluid_power{}, seabed_loss{}, line_loss{};
 };
 
 /// Where the energies of a batch go, and the length of every element: 0 of those that fill the batch up.
@@ -17,19 +17,31 @@ struct EnergySums {
   Lanes counts;
 };
 
-/// Membrane energy, and the power of pressure on the changing length, which counts as the water's.
-inline void add_membrane_energy(const EnergySums& energy, const Batch& e, const Cubic& v, const Lanes& EA,
-                                const Membrane& at) {
-  const Lanes rate[3] = {e.inv_h * dot(at.u[0], slope_of(v, -0.5)), e.inv_h * dot(at.u[1], v.c1),
-                         e.inv_h * dot(at.u[2], slope_of(v, 0.5))};
+/// Slopes by xi of a cubic at the three strains.
+struct StrainSlopes {
+  Vec at[3];
+};
+inline StrainSlopes slopes_at_strains(const Cubic& v) {
+  return {{slope_of(v, -0.5), v.c1, slope_of(v, 0.5)}};
+}
+
+/// Membrane energy and what damping takes of it, and the power of pressure on the changing length, which counts as the
+/// water's. The membrane has its rates.
+inline void add_membrane_energy(const EnergySums& energy, const AxialConstants& axial, const Membrane& at) {
+  const Lanes rest = 1.0 - axial.share;
   for (int k = 0; k < 3; ++k) {
     Lanes strain{}, pressure{};
     for (int l = 0; l < 3; ++l) {
       strain += kStrainMass[k][l] * at.strain[l];
       pressure += kStrainMass[k][l] * at.tension[l];
     }
-    energy.sum->strain += 0.5 * energy.counts * EA * at.strain[k] * strain;
-    energy.sum->fluid_power -= energy.counts * pressure * rate[k];
+    const SlackLaw slack = slack_law(at.strain[k], axial.share),
+                   damped = slack_law(at.strain[k] + axial.damping * at.rate[k], axial.share);
+    const Lanes weight = energy.counts * axial.EA, own = kSlackWeight[k] * slack.twice_energy;
+    const Lanes linear = at.strain[k] * strain;
+    energy.sum->strain += 0.5 * weight * (rest > 0.0 ? own : linear);
+    energy.sum->line_loss += kSlackWeight[k] * weight * (damped.force - slack.force) * at.rate[k];
+    energy.sum->fluid_power -= energy.counts * pressure * at.rate[k];
   }
 }
 
@@ -42,8 +54,8 @@ inline double sum_of(const Lanes& x) {
 }
 
 inline LineEnergy sum_of(const EnergyLanes& lanes) {
-  return {sum_of(lanes.kinetic), sum_of(lanes.strain),      sum_of(lanes.gravity),
-          sum_of(lanes.seabed),  sum_of(lanes.fluid_power), sum_of(lanes.seabed_loss)};
+  return {sum_of(lanes.kinetic),     sum_of(lanes.strain),      sum_of(lanes.gravity),  sum_of(lanes.seabed),
+          sum_of(lanes.fluid_power), sum_of(lanes.seabed_loss), sum_of(lanes.line_loss)};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "mechanics/line_kernel_batch.h"
+#include "mechanics/slack_law.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
@@ -116,6 +117,34 @@ struct Membrane {
   Lanes strain[3];
   Lanes tension[3];        ///< Effective tension of pressure.
   Lanes tension_slope[3];  ///< Its derivative in z.
+  // Where elements only pull:
+  Lanes rate[3];   ///< Of the strains [1/s].
+  Vec turning[3];  ///< Rate of the unit tangents, by 1: how the strains' rates change with the slopes.
+};
+
+/// Rates of the strains; `velocity` are the slopes of the velocity by xi.
+inline void set_rates(Membrane& at, const Batch& e, const Vec (&velocity)[3]) {
+  for (int k = 0; k < 3; ++k) {
+    const Vec slope = e.inv_h * velocity[k];
+    at.rate[k] = dot(at.u[k], slope);
+    at.turning[k] = at.inv_norm[k] * (slope - at.rate[k] * at.u[k]);
+  }
+}
+
+inline void set_no_rates(Membrane& at) {
+  for (int k = 0; k < 3; ++k) {
+    at.rate[k] = Lanes{};
+    at.turning[k] = Vec{};
+  }
+}
+
+/// Axial constants of a batch.
+struct AxialConstants {
+  Lanes EA, share, damping;
+  double velocity_share;  ///< Of a velocity's change with its unknown [1/s].
+
+  /// Whether any of the elements only pulls.
+  bool slack() const { return any(1.0 - share); }
 };
 
 inline Membrane membrane_of(const Batch& e, const PressureTension& pressure, const Lanes (&head)[2]) {
@@ -145,17 +174,80 @@ inline void set_slope_block(BatchTangent& tangent, int j, int k, const Mat& a) {
   }
 }
 
-/// By the strains' own stiffness and by the turning of their tangents under `force`.
-inline void set_membrane_tangent(BatchTangent& tangent, const Batch& e, const Lanes& EA, const Membrane& at,
-                                 const Lanes (&force)[3]) {
+/// Forces of the three strains over h, each the sum of what its own and the others' make, and how they change with the
+/// strains.
+struct StrainForces {
+  Lanes force[3], slope[3][3];
+  Lanes by_rate[3];  ///< Of each by its own rate; set where elements only pull.
+};
+
+/// Of what only pulls, over EA: force, its slope, twice its energy.
+struct SlackLaw {
+  Lanes force, slope, twice_energy;
+};
+
+inline SlackLaw slack_law(const Lanes& strain, const Lanes& share) {
+  constexpr double kThird = kSlackStrain * kSlackStrain / 3.0;
+  const Lanes rest = 1.0 - share, grown = (0.5 / kSlackStrain) * strain + 0.5;
+  const Lanes above = grown > 0.0 ? grown : Lanes{};
+  const Lanes x = above < 1.0 ? above : all(1.0);
+  const Lanes pulls = above < 1.0 ? kSlackStrain * x * x : strain;
+  const Lanes stored = above < 1.0 ? 4.0 * kThird * x * x * x : strain * strain + kThird;
+  return {share * strain + rest * pulls, share + rest * x, share * strain * strain + rest * stored};
+}
+
+inline void add_pressure(StrainForces& f, const Membrane& at) {
+  for (int k = 0; k < 3; ++k) {
+    f.force[k] +=
+        kStrainMass[k][0] * at.tension[0] + kStrainMass[k][1] * at.tension[1] + kStrainMass[k][2] * at.tension[2];
+  }
+}
+
+/// Of pipe, which is pushed as it is pulled.
+inline StrainForces linear_forces(const Membrane& at, const Lanes& EA) {
+  StrainForces f;
+  for (int k = 0; k < 3; ++k) {
+    f.force[k] = Lanes{};
+    for (int l = 0; l < 3; ++l) {
+      f.slope[k][l] = kStrainMass[k][l] * EA;
+      f.force[k] += f.slope[k][l] * at.strain[l];
+    }
+  }
+  return f;
+}
+
+/// Where some elements of a batch only pull (slack_law.h).
+inline __attribute__((noinline)) StrainForces forces_with_slack(const Membrane& at, const AxialConstants& axial) {
+  StrainForces f = linear_forces(at, axial.EA);
+  const Lanes rest = 1.0 - axial.share;
+  for (int k = 0; k < 3; ++k) {
+    const SlackLaw law = slack_law(at.strain[k] + axial.damping * at.rate[k], axial.share);
+    const Lanes weight = kSlackWeight[k] * axial.EA, slope = weight * law.slope;
+    const Lanes own = (1.0 + axial.velocity_share * axial.damping) * slope;
+    f.force[k] = rest > 0.0 ? weight * law.force : f.force[k];
+    f.by_rate[k] = rest > 0.0 ? axial.damping * slope : Lanes{};
+    for (int l = 0; l < 3; ++l) {
+      const Lanes slack = l == k ? own : Lanes{};
+      f.slope[k][l] = rest > 0.0 ? slack : f.slope[k][l];
+    }
+  }
+  return f;
+}
+
+/// By the strains' own stiffness and by the turning of their tangents under their forces.
+inline void set_membrane_tangent(BatchTangent& tangent, const Batch& e, const Membrane& at, const StrainForces& f) {
   constexpr int kTurnBlock = kTurn - 1, kChordBlock = kChord - 1, kBothBlock = kBoth - 1;
-  const Lanes stiffness = EA * e.inv_h;
+  const Lanes(&force)[3] = f.force;
+  Lanes stiffness[3][3];
+  for (int k = 0; k < 3; ++k) {
+    for (int l = 0; l < 3; ++l) stiffness[k][l] = e.inv_h * f.slope[k][l];
+  }
   const Vec lower = 0.5 * at.u[0], chord = kMidChord * at.u[1], both = kMidBoth * at.u[1], upper = 0.5 * at.u[2];
   // What the strains' tensions, sums over its points times the mass, change by with turn, chord and both.
-  const auto by_turn = [&](int k) { return stiffness * (kStrainMass[k][2] * upper - kStrainMass[k][0] * lower); };
-  const auto by_chord = [&](int k) { return (kStrainMass[k][1] * stiffness) * chord; };
+  const auto by_turn = [&](int k) { return stiffness[k][2] * upper - stiffness[k][0] * lower; };
+  const auto by_chord = [&](int k) { return stiffness[k][1] * chord; };
   const auto by_both = [&](int k) {
-    return stiffness * (kStrainMass[k][0] * lower + kStrainMass[k][1] * both + kStrainMass[k][2] * upper);
+    return stiffness[k][0] * lower + stiffness[k][1] * both + stiffness[k][2] * upper;
   };
   const auto turning = [&](int k, double share) {
     const Lanes geometric = share * force[k] * at.inv_norm[k] * e.inv_h;
@@ -172,6 +264,15 @@ inline void set_membrane_tangent(BatchTangent& tangent, const Batch& e, const La
   set_slope_block(tangent, kBothBlock, kBothBlock,
                   outer(lower, by_both(0)) + outer(both, by_both(1)) + outer(upper, by_both(2)) + ends +
                       (kMidBoth * kMidBoth) * mid);
+}
+
+/// By the rates of strains whose tangents turn: unsymmetric. `join` adds it.
+inline void set_rate_tangent(BatchTangent& tangent, const Batch& e, const Membrane& at, const StrainForces& f) {
+  tangent.has_rates = true;
+  for (int k = 0; k < 3; ++k) {
+    tangent.rate_rows[k] = (e.inv_h * f.by_rate[k]) * at.u[k];
+    tangent.rate_columns[k] = at.turning[k];
+  }
 }
 
 /// By the tension of pressure, which changes with the height of the strains' points, mean -+ chord/2 at the ends and
@@ -196,20 +297,17 @@ inline void set_pressure_tangent(BatchTangent& tangent, const Membrane& at) {
 
 /// Membrane with the effective tension of pressure, which varies with depth. `tangent` is null unless kTangent.
 template <bool kTangent>
-inline void add_membrane(Batch& e, BatchTangent* tangent, const Lanes& EA, const Membrane& at) {
-  Lanes force[3], tension[3];
-  for (int l = 0; l < 3; ++l) {
-    tension[l] = EA * at.strain[l] + at.tension[l];
-  }
-  for (int k = 0; k < 3; ++k) {
-    force[k] = kStrainMass[k][0] * tension[0] + kStrainMass[k][1] * tension[1] + kStrainMass[k][2] * tension[2];
-  }
+inline void add_membrane(Batch& e, BatchTangent* tangent, const AxialConstants& axial, const Membrane& at) {
+  const bool slack = axial.slack();
+  StrainForces f = slack ? forces_with_slack(at, axial) : linear_forces(at, axial.EA);
+  add_pressure(f, at);
   // times h, over h
-  e.by_tangent[0] = e.by_tangent[0] + force[0] * at.u[0];
-  e.by_cubic[1] = e.by_cubic[1] + force[1] * at.u[1];
-  e.by_tangent[1] = e.by_tangent[1] + force[2] * at.u[2];
+  e.by_tangent[0] = e.by_tangent[0] + f.force[0] * at.u[0];
+  e.by_cubic[1] = e.by_cubic[1] + f.force[1] * at.u[1];
+  e.by_tangent[1] = e.by_tangent[1] + f.force[2] * at.u[2];
   if constexpr (kTangent) {
-    set_membrane_tangent(*tangent, e, EA, at, force);
+    set_membrane_tangent(*tangent, e, at, f);
+    if (slack) set_rate_tangent(*tangent, e, at, f);
     set_pressure_tangent(*tangent, at);
   }
 }

@@ -81,6 +81,22 @@ inline void load_tangent(const BatchTangent& tangent, int r, int c, Lanes (&k)[4
   }
 }
 
+/// Slopes dr/d(xi) at the three strains by turn, chord and both.
+inline constexpr double kStrainSlope[3][3] = {{-0.5, 0.0, 0.5}, {0.0, kMidChord, kMidBoth}, {0.5, 0.0, 0.5}};
+
+/// By the rates of the strains, in components r and c.
+inline void add_rate_tangent(const BatchTangent& tangent, int r, int c, Lanes (&k)[4][4]) {
+  for (int strain = 0; strain < 3; ++strain) {
+    const Vec &u = tangent.rate_rows[strain], &v = tangent.rate_columns[strain];
+    const Lanes row[3] = {u.x, u.y, u.z}, column[3] = {v.x, v.y, v.z};
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        k[1 + i][1 + j] += (kStrainSlope[strain][i] * kStrainSlope[strain][j]) * row[r] * column[c];
+      }
+    }
+  }
+}
+
 /// From mean, turn, chord and both to r1, t1, r2, t2.
 inline void to_nodes(const Lanes& h, const Lanes& mean, const Lanes& turn, const Lanes& chord, const Lanes& both,
                      Lanes (&nodes)[4]) {
@@ -101,6 +117,7 @@ inline void join(BatchTangent& tangent, const Lanes& h) {
     for (int c = 0; c < 3; ++c) {
       Lanes k[4][4];
       load_tangent(tangent, r, c, k);
+      if (tangent.has_rates) add_rate_tangent(tangent, r, c, k);
 #pragma GCC unroll 3
       for (int i = 0; i < 3; ++i) {
 #pragma GCC unroll 3

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "mechanics/axial_law.h"
 #include "mechanics/quadrature.h"
 
 namespace overbend {
@@ -16,7 +17,7 @@ Eigen::Matrix<double, 3, 12> spread(const Eigen::Vector4d& shape) {
   return matrix;
 }
 
-void add_membrane(const RodProperties& rod, const ElementVector& q, RodForce& result) {
+void add_membrane(const RodProperties& rod, const ElementVector& q, const RodMotion& motion, RodForce& result) {
   std::array<double, 3> strain{};
   std::array<ElementVector, 3> gradient;
   std::array<ElementMatrix, 3> hessian;
@@ -28,6 +29,21 @@ void add_membrane(const RodProperties& rod, const ElementVector& q, RodForce& re
     strain[k] = a.norm() - 1.0;
     gradient[k] = da.transpose() * u;
     hessian[k] = da.transpose() * (Mat3::Identity() - u * u.transpose()) * da / a.norm();
+  }
+  if (rod.compression < 1.0) {
+    for (int k = 0; k < 3; ++k) {
+      const double rate = gradient[k].dot(motion.v);
+      const AxialLaw at_rest = axial_law(strain[k], rod.compression);
+      const AxialLaw law = axial_law(strain[k] + rod.damping * rate, rod.compression);
+      const double w = kSlackWeight[k] * rod.length * rod.EA;
+      const ElementVector ahead =
+          (1.0 + rod.damping * motion.velocity_share) * gradient[k] + rod.damping * hessian[k] * motion.v;
+      result.energy += w * at_rest.energy;
+      result.loss += w * (law.force - at_rest.force) * rate;
+      result.force += w * law.force * gradient[k];
+      result.stiffness += w * (law.slope * gradient[k] * ahead.transpose() + law.force * hessian[k]);
+    }
+    return;
   }
   for (int k = 0; k < 3; ++k) {
     for (int l = 0; l < 3; ++l) {
@@ -84,9 +100,9 @@ double membrane_strain(const ElementVector& q, double xi, double length) {
   return e0 * (1.0 - xi) * (1.0 - 2.0 * xi) + 4.0 * e1 * xi * (1.0 - xi) + e2 * xi * (2.0 * xi - 1.0);
 }
 
-RodForce rod_force(const RodProperties& properties, const ElementVector& q) {
+RodForce rod_force(const RodProperties& properties, const ElementVector& q, const RodMotion& motion) {
   RodForce result;
-  add_membrane(properties, q, result);
+  add_membrane(properties, q, motion, result);
   add_bending(properties, q, result);
   return result;
 }

@@ -18,15 +18,24 @@ using ElementVector = Eigen::Matrix<double, 12, 1>;  ///< r1, t1, r2, t2.
 using ElementMatrix = Eigen::Matrix<double, 12, 12>;
 
 struct RodProperties {
-  double length = 1.0;  ///< Unstressed [m].
-  double EA = 0.0;      ///< [N]
-  double EI = 0.0;      ///< [N m2]
+  double length = 1.0;       ///< Unstressed [m].
+  double EA = 0.0;           ///< [N]
+  double EI = 0.0;           ///< [N m2]
+  double compression = 1.0;  ///< Share of EA that bears compression, see slack_law.h [-].
+  double damping = 0.0;      ///< Of what bears none: time by which it feels strain ahead [s].
+};
+
+/// Of a moving element: rates of its unknowns, and how they change with the unknowns by an integrator's formula [1/s].
+struct RodMotion {
+  ElementVector v = ElementVector::Zero();
+  double velocity_share = 0.0;
 };
 
 struct RodForce {
   double energy = 0.0;                              ///< Strain energy [J].
+  double loss = 0.0;                                ///< By damping [W].
   ElementVector force = ElementVector::Zero();      ///< Derivative of the energy: internal force [N], [N m].
-  ElementMatrix stiffness = ElementMatrix::Zero();  ///< Second derivative.
+  ElementMatrix stiffness = ElementMatrix::Zero();  ///< Derivative of the force; at rest symmetric.
 };
 
 /// Values and derivatives in s of the Hermite functions of r1, t1, r2, t2 at xi in [0, 1].
@@ -55,6 +64,6 @@ double curvature(const CentrelinePoint& at);
 double membrane_strain(const ElementVector& q, double xi, double length);
 
 /// Energy, force and tangent of membrane and bending.
-RodForce rod_force(const RodProperties& properties, const ElementVector& q);
+RodForce rod_force(const RodProperties& properties, const ElementVector& q, const RodMotion& motion = {});
 
 }  // namespace overbend

@@ -19,6 +19,7 @@ struct LineTypeDescription {
   double weight_submerged = 0.0;        ///< Negative where the line floats [N/m].
   double axial_stiffness = 0.0;         ///< EA [N]
   double bending_stiffness = 0.0;       ///< EI [N m2]
+  std::optional<bool> compression;      ///< Whether it bears compression; see bears_compression().
   std::optional<double> breaking_load;  ///< MBL [N]
   double drag_diameter = 0.0;           ///< Of the drag coefficients [m].
   double drag_normal = 1.2, drag_axial = 0.0;

@@ -48,6 +48,7 @@ LineTypeDescription wire_rope(double diameter, RopeCore core) {
   type.weight_in_air = numbers.mass * d2 * kGravity;
   type.axial_stiffness = numbers.axial_stiffness * d2;
   type.breaking_load = numbers.breaking_load * d2;
+  type.compression = false;
   type.drag_normal = 1.8;
   type.friction = kRopeFriction;
   return type;
@@ -63,11 +64,16 @@ LineTypeDescription chain(double diameter, ChainLink link) {
   type.weight_in_air = numbers.mass * d2 * kGravity;
   type.axial_stiffness = numbers.stiffness * d2 - numbers.stiffness_less * d3;
   type.breaking_load = 9.11e2 * diameter + 1.21e9 * d2 - 2.19e9 * d3;
+  type.compression = false;
   type.drag_normal = numbers.drag_normal;
   type.drag_axial = numbers.drag_axial / std::numbers::pi;  // a line's is on the circumference
   type.added_mass_axial = 0.5;
   type.friction = kChainFriction;
   return type;
+}
+
+bool bears_compression(const LineTypeDescription& type) {
+  return type.compression.value_or(type.bending_stiffness > 0.0);
 }
 
 double submerged_weight(const LineTypeDescription& type, double water_weight_density) {

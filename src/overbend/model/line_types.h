@@ -21,6 +21,10 @@ LineTypeDescription wire_rope(double diameter, RopeCore core);
 /// The same for chain; the diameter is that of the bar.
 LineTypeDescription chain(double diameter, ChainLink link);
 
+/// Whether a line of a type bears compression: by what it says, else where it has a bending stiffness of its own, as
+/// flexibles and umbilicals do. Wire ropes and chains do not, whatever their bending stiffness.
+bool bears_compression(const LineTypeDescription& type);
+
 /// Weight under water from weight in air and displaced volume, all per length [N/m].
 double submerged_weight(const LineTypeDescription& type, double water_weight_density);
 

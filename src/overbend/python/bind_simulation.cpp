@@ -121,6 +121,7 @@ py::dict energy_of(const SimulationHandle& handle) {
   told["friction_loss"] = e.friction_loss;
   told["seabed_loss"] = e.seabed_loss;
   told["yielding_loss"] = e.yielding_loss;
+  told["line_loss"] = e.line_loss;
   told["bodies"] = e.bodies.value_or(0.0);
   told["work_on_bodies"] = e.on_bodies.value_or(0.0);
   told["error"] = e.error;

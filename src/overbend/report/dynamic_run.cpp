@@ -40,7 +40,8 @@ std::string energy_tables(const EnergyBalance& e, const std::string& on) {
   row(in, "Lost to friction", e.friction_loss);
   row(in, "Lost in the seabed", e.seabed_loss);
   if (e.yielding_loss > 0.0) row(in, "Lost in yielding steel", e.yielding_loss);
-  row(in, "Lost", e.contact_loss + e.friction_loss + e.seabed_loss + e.yielding_loss, "total");
+  if (e.line_loss > 0.0) row(in, "Lost in ropes and chains", e.line_loss);
+  row(in, "Lost", e.contact_loss + e.friction_loss + e.seabed_loss + e.yielding_loss + e.line_loss, "total");
   html::Table stored = energy_listing("Energy: stored, change since the start");
   row(stored, "Motion", e.kinetic);
   row(stored, "Strain", e.strain);

@@ -56,6 +56,7 @@ const std::vector<std::string>& serious_phrases() {
       "more than its breaking load",
       "more than its holding power",
       "is slack: it holds nothing",
+      "falls slack and snaps tight",
       "an element is folded",
       "lifts its anchor with",
       "lifted its anchor with",

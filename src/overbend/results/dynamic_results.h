@@ -115,7 +115,8 @@ struct EnergyBalance {
   double kinetic = 0.0, strain = 0.0, gravity = 0.0, contact = 0.0, seabed = 0.0;  ///< Stored, change since the start.
   double fluid = 0.0, rollers = 0.0, top = 0.0, anchor = 0.0;                      ///< Work done on the pipe.
   double contact_loss = 0.0, friction_loss = 0.0, seabed_loss = 0.0, yielding_loss = 0.0;  ///< Dissipated.
-  double error = 0.0;                                                                      ///< Stored + lost - work in.
+  double line_loss = 0.0;   ///< Dissipated by internal damping of lines that only pull.
+  double error = 0.0;       ///< Stored + lost - work in.
   double throughput = 0.0;  ///< What has passed: sum of absolute work in and losses.
   /// Of hull and stinger where they are free: stored in them, change since the start; work on them of all but the lines
   /// and rollers.

@@ -122,7 +122,9 @@ double length_on_bed(const Line& line, const std::vector<double>& q) {
 
 std::vector<std::string> line_assumptions(const Model& model) {
   std::vector<std::string> told = {
-      "Lines: neither torsion nor internal damping; pressure makes no tension; their axis rests at the height of the "
+      "Lines: no torsion; chains and ropes bear no compression and are damped by 1 % of critical in their first axial "
+      "mode, "
+      "other lines not; pressure makes no tension; their axis rests at the height of the "
       "bed."};
   const bool tethers =
       std::any_of(model.description.lines.begin(), model.description.lines.end(), [](const auto& line) {

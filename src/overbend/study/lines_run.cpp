@@ -10,6 +10,7 @@
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/lines_in_time.h"
 #include "dynamics/start_leap.h"
+#include "model/line_types.h"
 #include "model/station.h"
 #include "recording/reach_row.h"
 #include "report/report.h"
@@ -75,6 +76,7 @@ void add_history(const LineHistory& history, LineResult& line) {
   line.largest_in_time = *std::max_element(history.most_tension.begin(), history.most_tension.end());
 }
 
+constexpr double kSlack = 0.01;      ///< Of the largest tension at rest: less is slack.
 constexpr double kPushed = 0.01;     ///< Compression, of the largest tension: worth a word [-].
 constexpr double kSmallLeap = 1e-3;  ///< Of an end at t = 0, not worth a word [m].
 
@@ -102,7 +104,15 @@ void warn_of_motion(const Model& model, const DynamicOptions& options, LinesResu
       results.warnings.push_back(
           fmt::format("line \"{}\": its largest tension of the run is {:.2f} times its breaking load", line.name, use));
     }
-    if (line.least_in_time < -kPushed * line.largest_in_time) {
+    const auto& segments = model.description.lines[i].segments;
+    const bool only_pulls =
+        std::ranges::none_of(segments, [](const auto& segment) { return bears_compression(segment.type); });
+    if (only_pulls && line.least_in_time < kSlack * line.largest_tension) {
+      results.warnings.push_back(
+          fmt::format("line \"{}\": falls slack and snaps tight, with up to {:.3g} kN: how hard hangs on its internal "
+                      "damping, which is taken as 1 % of critical; do not let it fall slack",
+                      line.name, 1e-3 * line.largest_in_time));
+    } else if (line.least_in_time < -kPushed * line.largest_in_time) {
       results.warnings.push_back(fmt::format(
           "line \"{}\": falls slack, and where it is pushed bears {:.3g} kN of compression at most: it may buckle, "
           "which the model represents only as far as its elements allow",

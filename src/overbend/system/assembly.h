@@ -2,6 +2,7 @@
 /// to.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,13 @@ struct InstantEnergy {
   double top_power = 0.0, anchor_power = 0.0;      ///< Of what holds last and first ends [W].
   double bending_heat = 0.0;                       ///< Made by yielding so far [J].
   BodyEnergy bodies;                               ///< Of the free ones; what lines do to them is no power here.
+};
+
+/// The end of an attachment; free bodies that hold one count for no force.
+struct WorkingEnd {
+  bool last = false;                       ///< Of the line's ends.
+  std::array<double, 6> force{}, place{};  ///< On the line, and its unknowns.
+  double power = 0.0;                      ///< [W]
 };
 
 /// Unknowns of every line, six per node; where bodies are free, another entry at the end: theirs, six each.
@@ -92,6 +100,8 @@ class Assembly {
 
   /// Of the state evaluated last.
   InstantEnergy energy(const SystemState& state) const;
+  /// Likewise, of all attachments; `ends` allocates the first time alone.
+  void find_working_ends(const SystemState& state, std::vector<WorkingEnd>& ends) const;
   /// Brings the memories of free bodies to the end of a step of `h` that began at `before`, and all contacts up to the
   /// state, which was evaluated last.
   void finish_step(const SystemState& before, double h, SystemState& after);

@@ -1,6 +1,8 @@
 // Energies and powers of what an assembly adds up.
 #include "system/assembly.h"
 
+#include <algorithm>
+
 namespace overbend {
 namespace {
 
@@ -19,6 +21,7 @@ void add(LineEnergy& sum, const LineEnergy& one) {
   sum.seabed += one.seabed;
   sum.fluid_power += one.fluid_power;
   sum.seabed_loss += one.seabed_loss;
+  sum.line_loss += one.line_loss;
 }
 
 void add_contact_energy(const RollerContacts& rollers, InstantEnergy& now) {
@@ -68,6 +71,22 @@ InstantEnergy Assembly::energy(const SystemState& state) const {
   add_winch_power(state, now);
   add_body_energy(state, now);
   return now;
+}
+
+void Assembly::find_working_ends(const SystemState& state, std::vector<WorkingEnd>& ends) const {
+  ends.resize(system_->attachments.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Attachment& held = system_->attachments[i];
+    const bool by_free_body = held.body != kGround && border_.number_of(held.body) >= 0;
+    const std::size_t index = static_cast<std::size_t>(held.line);
+    const LineAssembly& line = lines_[index];
+    ends[i] = {};
+    ends[i].last = held.end == LineEnd::last;
+    std::copy_n(state.lines[index].q.begin() + 6 * line.end_node(held.end), 6, ends[i].place.begin());
+    if (by_free_body) continue;
+    ends[i].force = line.end_force(held.end);
+    ends[i].power = end_power(line, state.lines[index], held.end);
+  }
 }
 
 /// A winch works on the line with what it holds the end by.

@@ -113,6 +113,8 @@ template <class Elements, class Visit>
 void visit_constants(Elements& e, const Visit& visit) {
   visit(e.EA, &ElementConstants::EA, 0.0);
   visit(e.EI, &ElementConstants::EI, 0.0);
+  visit(e.compression, &ElementConstants::compression, 1.0);
+  visit(e.damping, &ElementConstants::damping, 0.0);
   visit(e.weight, &ElementConstants::weight, 0.0);
   visit(e.buoyancy, &ElementConstants::buoyancy, 0.0);
   visit(e.radius, &ElementConstants::radius, 1.0);

@@ -87,6 +87,7 @@ void visit_energy(Row& r, Visit& visit) {
   visit(ResultField{"yielding_loss", "J", "Lost in yielding steel"}, r.yielding_loss);
   visit(ResultField{"bodies", "J", "Energy of a free hull or stinger, of motion and place, change since the start"},
         r.bodies);
+  visit(ResultField{"line_loss", "J", "Lost in the internal damping of ropes and chains"}, r.line_loss);
   visit(ResultField{"on_bodies", "J", "Work on a free hull or stinger, of waves, water, wind, machines and loads"},
         r.on_bodies);
   visit(ResultField{"error", "J", "Stored and lost energy less the work done"}, r.error);
