@@ -69,7 +69,7 @@ TEST(moored_command, has_results_that_are_read_as_they_were_written) {
   ASSERT_TRUE(stored.statics.results.moorings && stored.statics.results.moorings->hull);
   const Json dynamic = read_json(scratch.read("out/summary.json"))["dynamic"];
   EXPECT_EQ(stored.results.vessel->roll.whole.max, dynamic["vessel"]["roll"]["max"]);
-  EXPECT_EQ(stored.results.moorings[7].fairlead_tension.most_probable_max,
+  EXPECT_EQ(*stored.results.moorings[7].fairlead_tension.most_probable_max,
             dynamic["moorings"][7]["fairlead_tension"]["most_probable_max"]);
   EXPECT_EQ(stored.results.run.steps, dynamic["steps"]);
   EXPECT_EQ(stored.results.extremes.size(), dynamic["extremes"].size());

@@ -166,6 +166,91 @@ TEST(extremes, of_a_regular_wave_are_its_crest) {
   EXPECT_NEAR(fit.gumbel.high, 2.0, 1e-9);
 }
 
+/// Light loads with a rare impact: exponential peaks of mean 1, one in `every` of an exponential impact of mean 8
+/// beyond 4, and rest between them.
+std::vector<double> light_with_impacts(double hours, int every, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  std::exponential_distribution<double> light(1.0), impact(1.0 / 8.0);
+  std::uniform_int_distribution<int> which(1, every);
+  std::vector<double> values;
+  for (int cycle = 0; cycle < static_cast<int>(hours * 360.0); ++cycle) {  // of 10 s
+    const double peak = which(generator) == 1 ? 4.0 + impact(generator) : light(generator);
+    values.insert(values.end(), {0.0, 0.0, 0.3 * peak, peak, 0.4 * peak, 0.0, 0.0, 0.0, 0.0, 0.0});
+  }
+  return values;
+}
+
+/// Level that `per_cycle` of the impacts exceed once in three hours.
+double impact_of_three_hours(int every) {
+  return 4.0 + 8.0 * std::log(1080.0 / every);
+}
+
+TEST(extremes, of_rare_impacts_are_not_told_by_a_short_record) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const ExtremeFit fit = fit_extremes(light_with_impacts(0.25, 100, seed), 1.0, kThreeHours);
+    EXPECT_EQ(fit.method, ExtremeMethod::none);
+    EXPECT_EQ(fit.quality, ExtremeQuality::none);
+    EXPECT_EQ(fit.doubt, ExtremeDoubt::rare);
+    EXPECT_EQ(fit.estimate.value, fit.observed);
+  }
+}
+
+TEST(extremes, of_rare_impacts_are_near_the_truth_in_three_hours) {
+  double error = 0.0, least = 1e30;
+  int held = 0;
+  constexpr int kRecords = 40;
+  for (const int every : {20, 100}) {
+    const double truth = impact_of_three_hours(every);
+    for (std::uint64_t seed = 1; seed <= kRecords / 2; ++seed) {
+      const ExtremeFit fit = fit_extremes(light_with_impacts(3.0, every, seed), 1.0, kThreeHours);
+      EXPECT_EQ(fit.quality, ExtremeQuality::uncertain);
+      EXPECT_EQ(fit.doubt, ExtremeDoubt::rare);
+      error += (fit.estimate.value / truth - 1.0) / kRecords;
+      least = std::min(least, fit.estimate.value / truth);
+      held += fit.estimate.low <= truth && truth <= fit.estimate.high;
+    }
+  }
+  EXPECT_NEAR(error, 0.0, 0.15);  // the largest of three hours scatters by a third of it
+  EXPECT_GT(least, 0.5);          // what a fit to the light ones says is a third
+  EXPECT_GE(held, kRecords * 7 / 10);
+}
+
+TEST(extremes, of_weibull_peaks_are_weibulls_in_19_of_20_records) {
+  int weibull = 0, good = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const ExtremeFit fit = fit_peaks(weibull_sample(180, 2.0, 2.0, seed), 0.0, 1080.0);
+    weibull += fit.method == ExtremeMethod::weibull;
+    good += fit.quality == ExtremeQuality::good;
+    EXPECT_GE(fit.estimate.value, fit.observed);  // of a sixth of the time
+    EXPECT_NEAR(fit.estimate.value, 2.0 * std::sqrt(std::log(1080.0)), 2.5);
+  }
+  EXPECT_GE(weibull, 186);
+  EXPECT_GE(good, 170);
+}
+
+TEST(extremes, of_peaks_with_a_heavy_tail_are_not_those_of_most_of_them) {
+  double error = 0.0;
+  constexpr int kRecords = 20;
+  const double truth = 10.0 + 8.0 * std::log(1080.0 / 30.0);
+  for (std::uint64_t seed = 1; seed <= kRecords; ++seed) {  // on a quantity that never rests
+    std::mt19937_64 generator(seed);
+    std::normal_distribution<double> most(5.0, 1.0);
+    std::exponential_distribution<double> impact(1.0 / 8.0);
+    std::vector<double> peaks;
+    for (int i = 0; i < 1080; ++i) peaks.push_back(i % 30 == 7 ? 10.0 + impact(generator) : most(generator));
+    const ExtremeFit fit = fit_peaks(peaks, 4.0, 1080.0);
+    EXPECT_EQ(fit.method, ExtremeMethod::pareto);
+    EXPECT_FALSE(fit.weibull_describes);
+    error += (fit.estimate.value / truth - 1.0) / kRecords;
+  }
+  EXPECT_NEAR(error, 0.0, 0.1);
+}
+
+TEST(extremes, rest_of_a_record_is_the_share_of_cycles_that_come_down_to_its_least_value) {
+  EXPECT_GT(peaks_between_up_crossings(light_with_impacts(1.0, 50, 1)).at_least, 0.99);
+  EXPECT_LT(peaks_between_up_crossings(narrow_band(3)).at_least, 0.01);
+}
+
 TEST(extremes, are_the_same_each_time) {
   const std::vector<double> peaks = weibull_sample(50, 2.0, 2.0, 10);
   const ExtremeFit first = fit_peaks(peaks, 0.0, 700.0), second = fit_peaks(peaks, 0.0, 700.0);

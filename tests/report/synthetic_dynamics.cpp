@@ -245,19 +245,26 @@ void fill_extremes(DynamicResults& r, bool calm) {
       continue;
     }
     const double most = history.over_time.max;
-    ExtremeEstimate e{history.name, history.units, false, 281, most};
+    ExtremeEstimate e;
+    e.name = history.name;
+    e.units = history.units;
+    e.peaks = 281;
+    e.observed = most;
     e.enough = !calm && history.over_time.std > 0.0;
-    e.weibull = e.gumbel = e.weibull_low = e.weibull_high = e.gumbel_low = e.gumbel_high = most;
     if (e.enough) {
       const double std = history.over_time.std;
-      e.weibull += 0.4 * std;
-      e.weibull_low += 0.1 * std;
-      e.weibull_high += 0.9 * std;
-      e.gumbel += 0.6 * std;
-      e.gumbel_low += 0.2 * std;
-      e.gumbel_high += 1.1 * std;
+      e.method = "Weibull";
+      e.quality = "good";
+      e.estimate = e.weibull = most + 0.4 * std;
+      e.low = e.weibull_low = most + 0.1 * std;
+      e.high = e.weibull_high = most + 0.9 * std;
+      e.gumbel = most + 0.6 * std;
+      e.gumbel_low = most + 0.2 * std;
+      e.gumbel_high = most + 1.1 * std;
     } else {
       e.peaks = 7;
+      e.quality = "none";
+      e.remark = "fewer than 30 peaks";
     }
     r.extremes.push_back(e);
   }

@@ -200,7 +200,7 @@ void add_moored_dynamics(DynamicResults& results) {
     line.fairlead_tension = motion_of(1e3 * kTensions[i], 18e3, 9e3);
     line.anchor_tension = motion_of(0.75e3 * kTensions[i], 17e3, 7e3);
     line.utilisation = line.fairlead_tension.whole.max / kBreaking;
-    line.most_probable_utilisation = line.fairlead_tension.most_probable_max / kBreaking;
+    line.most_probable_utilisation = *line.fairlead_tension.most_probable_max / kBreaking;
     line.anchor_utilisation = line.anchor_tension.whole.max / kHolding;
     line.least_on_bed = 310.0;
     results.histories.push_back(

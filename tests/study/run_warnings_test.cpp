@@ -16,6 +16,7 @@ DynamicResults sound() {
   r.duration = 10800.0;
   r.output_step = 0.5;
   r.extremes.resize(1);
+  r.extremes[0].estimate = r.extremes[0].low = r.extremes[0].high = 300e3;
   r.histories = {{"elevation", "m", "", {-1.0, 1.0, 0.0, 0.5}, {}, {}},
                  {"heave", "m", "", {-0.1, 0.1, 0.0, 0.1}, {}, {}}};
   r.tensioner.wanted = 250e3;
@@ -33,9 +34,9 @@ std::vector<double> swinging(std::size_t count, double rise) {
 }
 
 std::vector<std::string> warnings_of(DynamicResults r, double rise = 0.0, WaveType type = WaveType::jonswap) {
-  WavesDescription waves;
-  waves.type = type;
-  warn_of_run(waves, r, swinging(4000, rise));
+  Description d;
+  d.environment.waves.type = type;
+  warn_of_run(d, r, swinging(4000, rise));
   return r.warnings;
 }
 
@@ -52,6 +53,15 @@ TEST(run_warnings, three_hours_from_minutes_say_how_many) {
   r.duration = 300.0;
   EXPECT_TRUE(only(warnings_of(r), "from a run of 5 min"));
   EXPECT_TRUE(warnings_of(r, 0.0, WaveType::airy).empty());  // one wave after the other is the same
+}
+
+TEST(run_warnings, a_record_that_is_another_from_some_time_on_has_no_extremes_of_three_hours) {
+  DynamicResults r = sound();
+  r.duration = 300.0;
+  r.extremes[0].estimate.reset();
+  r.non_stationary = "mooring line \"bow\" parted at t = 60.0 s";
+  EXPECT_TRUE(
+      only(warnings_of(r), "not stationary: mooring line \"bow\" parted at t = 60.0 s; there are no three-hour"));
 }
 
 TEST(run_warnings, a_vessel_that_stands_still_in_a_sea_is_told) {
@@ -75,6 +85,7 @@ TEST(run_warnings, an_energy_balance_that_does_not_close_is_told) {
   r.energy.throughput = 1e6;
   r.energy.error = 2e3;
   EXPECT_TRUE(only(warnings_of(r), "the energy balance of the run has an error of 0.002"));
+  EXPECT_TRUE(only(warnings_of(r), "reduce analysis.dynamic.max_step"));  // there is no fixed step to omit
 }
 
 /// Travel that forgets where it was within ten seconds, rows half a second apart: a first-order process, whose standard

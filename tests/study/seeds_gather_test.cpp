@@ -61,6 +61,19 @@ TEST(seeds_gather, no_line_is_told_to_bear_a_push) {
   EXPECT_EQ(results.statistics[0].low, 0.0);
 }
 
+TEST(seeds_gather, runs_of_which_one_is_not_stationary_have_no_extremes_of_three_hours) {
+  SeedsResults results;
+  results.duration = 600.0;
+  results.quantities = {{"top_tension_max", "N", "", SeedExtreme::largest}};
+  for (const double value : gumbel_sample(20.0, 10.0, 12)) results.runs.emplace_back().values = {value};
+  fill_statistics(results);
+  EXPECT_TRUE(results.statistics[0].enough);
+  results.runs[5].warnings = {"the record is not stationary: the anchor of mooring line \"A\" dragged by 3.00 m; none"};
+  fill_statistics(results);
+  EXPECT_FALSE(results.statistics[0].enough);
+  EXPECT_NEAR(results.statistics[0].mean, 20.0 + 10.0 * 0.5772, 2.0);
+}
+
 TEST(seeds_gather, few_or_equal_values_are_not_fitted) {
   EXPECT_FALSE(seed_statistics(gumbel_sample(1.0, 1.0, 9), SeedExtreme::largest, 600.0).enough);
   EXPECT_FALSE(seed_statistics(std::vector<double>(20, 3.0), SeedExtreme::largest, 600.0).enough);

@@ -67,6 +67,18 @@ TEST(study_extremes, few_seeds_and_failed_cases_are_not_fitted) {
   EXPECT_FALSE(results.extremes[0].enough);
 }
 
+TEST(study_extremes, of_three_hours_are_none_where_a_line_parted_in_one_of_the_runs) {
+  StudyResults results = study_of(12);
+  results.cases[3].warnings = {"the record is not stationary: mooring line \"A\" parted at t = 50.0 s; there are none"};
+  const auto peaks = [](const StudyCase&) {
+    return std::vector<HistoryPeaks>{{"top_tension_peak", false, {std::vector<double>(150, 2.0), 1200.0}}};
+  };
+  fill_extremes(results, 1200.0, peaks);
+  EXPECT_FALSE(results.extremes[0].enough);
+  EXPECT_FALSE(results.extremes[0].acer);
+  EXPECT_TRUE(results.extremes[2].enough);  // the other sea
+}
+
 TEST(study_extremes, histories_give_an_estimate_where_there_are_too_few_seeds_for_gumbel) {
   StudyResults results = study_of(3);
   std::mt19937_64 generator(2);

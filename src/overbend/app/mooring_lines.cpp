@@ -78,6 +78,14 @@ std::string hull_lines(const HullResults& hull) {
   return text;
 }
 
+namespace {
+
+std::string in_three_hours(const MotionSpread& motion, double factor, int digits) {
+  return motion.most_probable_max ? fmt::format("{:.{}f}", *motion.most_probable_max * factor, digits) : "none";
+}
+
+}  // namespace
+
 std::string moored_dynamics_lines(const DynamicResults& results) {
   std::string text;
   if (results.vessel) {
@@ -85,9 +93,9 @@ std::string moored_dynamics_lines(const DynamicResults& results) {
     text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "vessel", "mean", "slow std", "wave std",
                         "min", "max", "in 3 h");
     const auto row = [&](const char* name, const MotionSpread& m, double factor) {
-      text += fmt::format("  {:<16}{:>12.3f}{:>12.3f}{:>12.3f}{:>12.3f}{:>12.3f}{:>12.3f}\n", name,
+      text += fmt::format("  {:<16}{:>12.3f}{:>12.3f}{:>12.3f}{:>12.3f}{:>12.3f}{:>12}\n", name,
                           shown(m.whole.mean * factor), m.slow.std * factor, m.wave.std * factor, m.whole.min * factor,
-                          m.whole.max * factor, m.most_probable_max * factor);
+                          m.whole.max * factor, in_three_hours(m, factor, 3));
     };
     row("surge m", v.surge, 1.0);
     row("sway m", v.sway, 1.0);
@@ -113,9 +121,9 @@ std::string moored_dynamics_lines(const DynamicResults& results) {
                       "wave std", "min", "max", "in 3 h");
   for (const MooringLineDynamics& line : results.moorings) {
     const MotionSpread& t = line.fairlead_tension;
-    text += fmt::format("  {:<16}{:>12.1f}{:>12.1f}{:>12.1f}{:>12.1f}{:>12.1f}{:>12.1f}\n", line.name,
-                        1e-3 * t.whole.mean, 1e-3 * t.slow.std, 1e-3 * t.wave.std, 1e-3 * t.whole.min,
-                        1e-3 * t.whole.max, 1e-3 * t.most_probable_max);
+    text += fmt::format("  {:<16}{:>12.1f}{:>12.1f}{:>12.1f}{:>12.1f}{:>12.1f}{:>12}\n", line.name, 1e-3 * t.whole.mean,
+                        1e-3 * t.slow.std, 1e-3 * t.wave.std, 1e-3 * t.whole.min, 1e-3 * t.whole.max,
+                        in_three_hours(t, 1e-3, 1));
   }
   return text;
 }

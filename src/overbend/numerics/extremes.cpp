@@ -5,10 +5,35 @@
 #include <functional>
 #include <numeric>
 
+#include "numerics/pareto_tail.h"
+#include "numerics/tail_check.h"
+
 namespace overbend {
 namespace {
 
 constexpr std::size_t kFewestBlocks = 10;
+/// Of the upper half of a Weibull sample from its fit, whatever its size: 3 % of samples lie further off.
+constexpr double kMostDistance = 0.8;
+constexpr double kLeastChance = 0.01;      ///< Of the largest of them.
+constexpr std::size_t kLargestLooked = 5;  ///< Number of the largest that are looked at.
+constexpr double kRare = 0.5;              ///< Share of cycles that come down to the least value.
+constexpr double kRareShare = 8.0;         ///< Peaks of rare events are at most one in so many.
+constexpr double kGoodWidth = 0.6;         ///< Of an interval, over the distance of the estimate from the mean.
+constexpr double kUsefulWidth = 1.5;       ///< Likewise: wider ones tell nothing.
+constexpr std::size_t kGoodClusters = 30;  ///< Over the threshold of a generalised Pareto tail.
+
+/// Whether the peaks of `tail`, ascending, logarithms of distances from the mean, pass for the upper part of a sample.
+bool describes(const LogWeibull& fit, std::span<const double> tail, std::size_t below) {
+  const auto above = [&](double y) { return std::exp(-std::exp((y - fit.location) / fit.scale)); };
+  const double lowest = above(tail.front());
+  std::vector<double> shares, expected;
+  for (const double y : tail.subspan(1)) shares.push_back(1.0 - above(y) / lowest);
+  const double n = static_cast<double>(tail.size() + below);
+  for (std::size_t i = 0; i < std::min(kLargestLooked, tail.size()); ++i) {
+    expected.push_back(n * above(tail[tail.size() - 1 - i]));
+  }
+  return upper_tail_distance(shares) < kMostDistance && least_chance(expected) > kLeastChance;
+}
 
 void fit_weibull(ExtremeFit& fit, std::span<const double> peaks, double mean, double expected_peaks) {
   std::vector<double> tail(peaks.begin(), peaks.end());
@@ -25,6 +50,7 @@ void fit_weibull(ExtremeFit& fit, std::span<const double> peaks, double mean, do
   }
   fit.weibull_scale = std::exp(log_weibull->location);
   fit.weibull_shape = 1.0 / log_weibull->scale;
+  fit.weibull_describes = describes(*log_weibull, tail, below);
   // 1 - F(x) = 1/n
   const ConfidentEstimate log = confident(*log_weibull, tail.size(), below, std::log(std::log(expected_peaks)));
   fit.weibull = {mean + std::exp(log.value), mean + std::exp(log.low), mean + std::exp(log.high)};
@@ -54,6 +80,92 @@ void fit_gumbel(ExtremeFit& fit, std::span<const double> peaks, double expected_
   fit.gumbel = {-least.value, -least.high, -least.low};
 }
 
+/// The peak that a record is expected to exceed as often as `times` at the estimate, and once more.
+double peak_at_rank(std::span<const double> peaks, double times) {
+  std::vector<double> sorted(peaks.begin(), peaks.end());
+  const auto rank = std::min(static_cast<std::size_t>(times), sorted.size() - 1);
+  std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(rank), std::greater<>());
+  return sorted[rank];
+}
+
+void raise_to(double least, ConfidentEstimate& estimate) {
+  estimate.value = std::max(estimate.value, least);
+  estimate.high = std::max(estimate.high, estimate.value);
+}
+
+ExtremeQuality quality_of(const ConfidentEstimate& estimate, double mean) {
+  const double width = (estimate.high - estimate.low) / (estimate.value - mean);
+  return width < kGoodWidth     ? ExtremeQuality::good
+         : width < kUsefulWidth ? ExtremeQuality::uncertain
+                                : ExtremeQuality::none;
+}
+
+void judge(ExtremeFit& fit, ExtremeQuality quality, ExtremeDoubt doubt) {
+  fit.quality = quality;
+  fit.doubt = quality == ExtremeQuality::good ? ExtremeDoubt::none : doubt;
+  if (quality == ExtremeQuality::none) fit.method = ExtremeMethod::none;
+}
+
+/// Of rare events: a record as long as the reference time holds them, a shorter one does not.
+void choose_rare(ExtremeFit& fit, std::span<const double> peaks, double expected_peaks) {
+  constexpr double kAlmost = 0.99;  // a record begins and ends with crossings
+  const double times = static_cast<double>(peaks.size()) / expected_peaks;
+  const auto tail = fit_pareto_tail(peaks, static_cast<std::size_t>(static_cast<double>(peaks.size()) / kRareShare));
+  if (tail) fit.pareto = confident(*tail, expected_peaks);
+  if (times < kAlmost) return judge(fit, ExtremeQuality::none, ExtremeDoubt::rare);
+  fit.method = tail && tail->described ? ExtremeMethod::pareto : ExtremeMethod::observed;
+  fit.estimate = tail ? *fit.pareto : fit.estimate;
+  raise_to(peak_at_rank(peaks, times), fit.estimate);
+  fit.estimate.high = std::max(fit.estimate.high, fit.observed);
+  judge(fit, ExtremeQuality::uncertain, ExtremeDoubt::rare);
+}
+
+void choose_pareto(ExtremeFit& fit, std::span<const double> peaks, double mean, double expected_peaks) {
+  const auto tail = fit_pareto_tail(peaks, peaks.size());
+  if (!tail || !tail->described) return judge(fit, ExtremeQuality::none, ExtremeDoubt::no_tail);
+  fit.pareto = fit.estimate = confident(*tail, expected_peaks);
+  fit.method = ExtremeMethod::pareto;
+  const ExtremeQuality quality = quality_of(fit.estimate, mean);
+  const bool few = tail->clusters < kGoodClusters;
+  judge(fit, few ? std::max(quality, ExtremeQuality::uncertain) : quality, ExtremeDoubt::wide);
+}
+
+/// The estimate of those that there are, and what it is worth.
+void choose(ExtremeFit& fit, std::span<const double> peaks, double mean, double expected_peaks, bool rare) {
+  const auto [least, most] = std::ranges::minmax(peaks);
+  if (least == most) {
+    fit.method = ExtremeMethod::regular;
+    return judge(fit, ExtremeQuality::good, ExtremeDoubt::none);
+  }
+  if (rare) {
+    choose_rare(fit, peaks, expected_peaks);
+  } else if (fit.weibull_describes) {
+    fit.method = ExtremeMethod::weibull;
+    fit.estimate = fit.weibull;
+    judge(fit, quality_of(fit.estimate, mean), ExtremeDoubt::wide);
+  } else {
+    choose_pareto(fit, peaks, mean, expected_peaks);
+  }
+  if (fit.method == ExtremeMethod::none) {
+    fit.estimate = {fit.observed, fit.observed, fit.observed};
+  } else if (static_cast<double>(peaks.size()) < 0.5 * expected_peaks) {
+    raise_to(fit.observed, fit.estimate);
+  }
+}
+
+/// Share of the cycles between up-crossings that come down to the least value of the record.
+double share_at_least(std::span<const double> values, std::span<const std::size_t> crossings) {
+  constexpr double kSame = 1e-6;  // of the range
+  if (crossings.size() < 2) return 0.0;
+  const auto [least, most] = std::ranges::minmax(values);
+  int down = 0;
+  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+    const auto cycle = values.subspan(crossings[i], crossings[i + 1] - crossings[i]);
+    down += std::ranges::min(cycle) <= least + kSame * (most - least);
+  }
+  return static_cast<double>(down) / static_cast<double>(crossings.size() - 1);
+}
+
 }  // namespace
 
 RecordPeaks peaks_between_up_crossings(std::span<const double> values) {
@@ -62,32 +174,29 @@ RecordPeaks peaks_between_up_crossings(std::span<const double> values) {
     return record;
   }
   record.mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  std::size_t first = 0;  // no crossing is at the first value
-  std::size_t last = 0;
+  std::vector<std::size_t> crossings;
   for (std::size_t i = 1; i < values.size(); ++i) {
-    if (values[i - 1] < record.mean && values[i] >= record.mean) {
-      if (first == 0) {
-        first = i;
-      } else {
-        record.peaks.push_back(*std::max_element(values.begin() + static_cast<std::ptrdiff_t>(last),
-                                                 values.begin() + static_cast<std::ptrdiff_t>(i)));
-      }
-      last = i;
-    }
+    if (values[i - 1] < record.mean && values[i] >= record.mean) crossings.push_back(i);
   }
-  record.steps = static_cast<double>(last - first);
+  if (crossings.empty()) return record;
+  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+    record.peaks.push_back(std::ranges::max(values.subspan(crossings[i], crossings[i + 1] - crossings[i])));
+  }
+  record.steps = static_cast<double>(crossings.back() - crossings.front());
+  record.at_least = share_at_least(values, crossings);
   return record;
 }
 
-ExtremeFit fit_peaks(std::span<const double> peaks, double mean, double expected_peaks) {
+ExtremeFit fit_peaks(std::span<const double> peaks, double mean, double expected_peaks, bool rare) {
   ExtremeFit fit;
   fit.peaks = static_cast<int>(peaks.size());
   fit.observed = peaks.empty() ? mean : *std::max_element(peaks.begin(), peaks.end());
-  fit.weibull = fit.gumbel = {fit.observed, fit.observed, fit.observed};
+  fit.estimate = fit.weibull = fit.gumbel = {fit.observed, fit.observed, fit.observed};
   fit.enough = fit.peaks >= kFewestPeaks && expected_peaks > 1.0;
   if (fit.enough) {
     fit_weibull(fit, peaks, mean, expected_peaks);
     fit_gumbel(fit, peaks, expected_peaks);
+    choose(fit, peaks, mean, expected_peaks, rare);
   }
   return fit;
 }
@@ -96,11 +205,11 @@ ExtremeFit fit_extremes(std::span<const double> values, double step, double refe
   const RecordPeaks record = peaks_between_up_crossings(values);
   const double span = record.steps * step;
   const double expected = span > 0.0 ? static_cast<double>(record.peaks.size()) * reference_time / span : 0.0;
-  ExtremeFit fit = fit_peaks(record.peaks, record.mean, expected);
+  ExtremeFit fit = fit_peaks(record.peaks, record.mean, expected, record.at_least > kRare);
   fit.observed = values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-  if (!fit.enough) {
-    fit.weibull = fit.gumbel = {fit.observed, fit.observed, fit.observed};
-  }
+  const ConfidentEstimate observed{fit.observed, fit.observed, fit.observed};
+  if (!fit.enough) fit.weibull = fit.gumbel = observed;
+  if (fit.method == ExtremeMethod::none) fit.estimate = observed;
   return fit;
 }
 
@@ -110,9 +219,11 @@ ExtremeFit fit_smallest(std::span<const double> values, double step, double refe
   ExtremeFit fit = fit_extremes(turned, step, reference_time);
   fit.observed = -fit.observed;
   fit.gumbel_mode = -fit.gumbel_mode;
-  for (ConfidentEstimate* estimate : {&fit.weibull, &fit.gumbel}) {
-    *estimate = {-estimate->value, -estimate->high, -estimate->low};
-  }
+  const auto turn = [](ConfidentEstimate& estimate) { estimate = {-estimate.value, -estimate.high, -estimate.low}; };
+  turn(fit.estimate);
+  turn(fit.weibull);
+  turn(fit.gumbel);
+  if (fit.pareto) turn(*fit.pareto);
   return fit;
 }
 

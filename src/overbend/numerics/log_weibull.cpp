@@ -5,6 +5,8 @@
 #include <random>
 #include <vector>
 
+#include "numerics/random_draw.h"
+
 namespace overbend {
 namespace {
 
@@ -92,11 +94,6 @@ LogWeibull in_given_units(const Standardised& s, const Likelihood& l, double p, 
   return fit;
 }
 
-/// Uniform in (0, 1), the same on every machine, which the standard's distributions do not promise.
-double uniform(std::mt19937_64& generator) {
-  return (static_cast<double>(generator() >> 11) + 0.5) * 0x1.0p-53;
-}
-
 /// The largest `tail` of a random sample with location 0 and scale 1, ascending: exponential spacings give the values
 /// of a sample in order [renyi1953].
 std::vector<double> random_tail(std::mt19937_64& generator, std::size_t tail, std::size_t below) {
@@ -104,7 +101,7 @@ std::vector<double> random_tail(std::mt19937_64& generator, std::size_t tail, st
   y.reserve(tail);
   double sum = 0.0;
   for (std::size_t left = tail + below; left > 0; --left) {
-    sum -= std::log(uniform(generator)) / static_cast<double>(left);
+    sum -= std::log(uniform_draw(generator)) / static_cast<double>(left);
     if (left <= tail) {
       y.push_back(std::log(sum));
     }

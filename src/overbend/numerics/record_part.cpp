@@ -50,8 +50,9 @@ PartHeights heights_of(std::span<const double> values, double step, double refer
   heights.significant = significant_of(record.peaks, record.mean);
   const double expected = heights.cycles * reference_time / (record.steps * step);
   const ExtremeFit fit = fit_peaks(record.peaks, record.mean, std::max(expected, 2.0));
-  heights.largest = fit.enough ? fit.weibull.value - record.mean
-                               : std::max(highest, rayleigh_largest(deviation_of(values, record.mean), expected));
+  heights.largest = fit.method != ExtremeMethod::none
+                        ? fit.estimate.value - record.mean
+                        : std::max(highest, rayleigh_largest(deviation_of(values, record.mean), expected));
   return heights;
 }
 

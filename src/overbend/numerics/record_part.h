@@ -12,9 +12,9 @@ struct PartHeights {
   double largest = 0.0;      ///< Most probable largest of the reference time.
 };
 
-/// Of equally spaced values, `step` [s] apart. With at least kFewestPeaks peaks the largest is by the Weibull fit of
-/// numerics/extremes.h, which holds for regular motion as well; with fewer it is std sqrt(2 ln n), that of n peaks of a
-/// narrow-banded Gaussian process in `reference_time` [s], but not below the highest of the record.
+/// Of equally spaced values, `step` [s] apart. With at least kFewestPeaks peaks the largest is the estimate of
+/// numerics/extremes.h, which holds for regular motion as well; where that has none, std sqrt(2 ln n), that of n peaks
+/// of a narrow-banded Gaussian process in `reference_time` [s], but not below the highest of the record.
 PartHeights heights_of(std::span<const double> values, double step, double reference_time);
 
 /// Most probable height of the sum: the larger of the slow part's largest with the waves' significant height, and the

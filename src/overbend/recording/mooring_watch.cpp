@@ -119,7 +119,7 @@ void MooringWatch::look(const SystemState& state, const Assembly& assembly) {
       now[kLength] = length_of(line.line().mesh, state.attachments[lines_[i].fairlead_end]);
     }
     now[kUplift] = std::max(0.0, now[kUplift]);
-    const bool there = !lines_[i].parted_at;
+    const bool there = !lines_[i].parted_at && (quasi_static || !state.attachments[lines_[i].fairlead_end].parted);
     now[kSlack] = there && now[kFairlead] < kSlackShare * lines_[i].start ? 1.0 : 0.0;
   }
 }

@@ -108,15 +108,15 @@ std::vector<std::string> extreme_cells(const StaticResults& statics, const Dynam
   const double observed = !spread ? e.observed : e.smallest ? spread->min : spread->max;
   std::vector<std::string> cells = {e.smallest ? q.name + ", smallest" : q.name, q.unit, before ? q.text(*before) : "",
                                     q.text(observed), std::to_string(e.peaks)};
-  if (!e.enough) {
-    cells.insert(cells.end(), {"", "not enough peaks", "", "not enough peaks"});
-    return cells;
-  }
-  for (const auto& [estimate, low, high] :
-       {std::array{e.weibull, e.weibull_low, e.weibull_high}, std::array{e.gumbel, e.gumbel_low, e.gumbel_high}}) {
-    cells.push_back(q.text(estimate));
-    cells.push_back(q.text(low) + " to " + q.text(high));
-  }
+  const auto put = [&](const std::optional<double>& value, const std::optional<double>& low,
+                       const std::optional<double>& high) {
+    cells.push_back(value ? q.text(*value) : "");
+    cells.push_back(value ? q.text(*low) + " to " + q.text(*high) : "");
+  };
+  put(e.estimate, e.low, e.high);
+  cells.push_back(e.method);
+  cells.push_back(e.remark.empty() ? e.quality : e.quality + ": " + e.remark);
+  put(e.gumbel, e.gumbel_low, e.gumbel_high);
   return cells;
 }
 
@@ -131,10 +131,12 @@ std::string extremes_table(const StaticResults& statics, const DynamicResults& r
                      {"Peaks", ""},
                      {"estimate", ""},
                      {"95 % interval", ""},
+                     {"by", "", true},
+                     {"quality", "", true},
                      {"estimate", ""},
                      {"95 % interval", ""}},
                     of_moorings ? "dense" : "plain full");
-  table.groups({{"", 5}, {"Weibull", 2}, {"Gumbel", 2}});
+  table.groups({{"", 5}, {"Most probable in three hours", 4}, {"Gumbel, to compare", 2}});
   bool any = false;
   for (const ExtremeEstimate& e : r.extremes) {
     if (is_of_moorings(e) != of_moorings) continue;
@@ -148,7 +150,8 @@ std::string extremes(const StaticResults& statics, const DynamicResults& r) {
   if (r.extremes.empty()) return "";
   return extremes_table(statics, r, false) + extremes_table(statics, r, true) +
          "<p class=\"small\">Interval: 95 % confidence. Peaks are the maxima between mean up-crossings after the "
-         "build-up. If there are too few of them no distribution is fitted, and only the observed value is given. "
+         "build-up. Where too few of them, or no distribution that describes the largest, only the observed value is "
+         "given. "
          "Observed: maximum of this run, whose duration may differ from three hours.</p>\n";
 }
 

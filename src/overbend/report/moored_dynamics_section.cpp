@@ -32,10 +32,11 @@ const std::vector<std::pair<std::string, int>>& spread_groups() {
 
 void add_row(html::Table& table, const std::string& name, const Quantity& q, int digits, const MotionSpread& motion) {
   const auto text = [&](double value) { return q.text(value, digits); };
+  const auto or_dash = [&](const std::optional<double>& value) { return value ? text(*value) : "-"; };
   table.row({name, q.unit, text(motion.whole.min), text(motion.whole.max), text(motion.whole.mean),
              text(motion.whole.std), text(motion.slow.min), text(motion.slow.max), text(motion.slow.std),
-             text(motion.wave.max), text(motion.wave.std), text(motion.most_probable_min),
-             text(motion.most_probable_max)});
+             text(motion.wave.max), text(motion.wave.std), or_dash(motion.most_probable_min),
+             or_dash(motion.most_probable_max)});
 }
 
 Quantity metres() {
@@ -181,8 +182,10 @@ std::string tiles(const DynamicResults& results) {
   std::string out;
   if (results.vessel) {
     const VesselDynamics& v = *results.vessel;
-    out += tile("Largest offset", fixed(v.offset.whole.max, 2), "m",
-                "horizontal, from the start of the run; most probable in 3 h " + fixed(v.offset.most_probable_max, 2));
+    out +=
+        tile("Largest offset", fixed(v.offset.whole.max, 2), "m",
+             std::string("horizontal, from the start of the run") +
+                 (v.offset.most_probable_max ? "; most probable in 3 h " + fixed(*v.offset.most_probable_max, 2) : ""));
     const std::string along = course(results);
     out += tile("Across the " + along, spread_text(metres(), 2, v.across.whole), "m",
                 fmt::format("std slow {}, waves {}", fixed(v.across.slow.std, 2), fixed(v.across.wave.std, 2)));

@@ -55,7 +55,7 @@ void visit_in_time(const MooringLineDynamics& line, Visit& visit) {
   tension("fairlead_tension_min", "least fairlead tension", line.fairlead_tension.whole.min);
   tension("fairlead_tension_max", "largest fairlead tension", line.fairlead_tension.whole.max);
   tension("fairlead_tension_most_probable_max", "most probable largest fairlead tension",
-          line.fairlead_tension.most_probable_max);
+          line.fairlead_tension.most_probable_max.value_or(kNone));
   tension("anchor_tension_max", "largest anchor tension", line.anchor_tension.whole.max);
   visit(ResultField{"utilisation_max", "1", "Largest tension over the least breaking load"}.csv("largest utilisation"),
         line.utilisation.value_or(kNone));
@@ -66,7 +66,7 @@ void visit_in_time(const MooringLineDynamics& line, Visit& visit) {
 MooringLineDynamics no_line_in_time() {
   MooringLineDynamics line;
   line.fairlead_tension.whole = {kNone, kNone, kNone, kNone};
-  line.fairlead_tension.most_probable_max = line.anchor_tension.whole.max = line.least_on_bed = kNone;
+  line.anchor_tension.whole.max = line.least_on_bed = kNone;
   return line;
 }
 

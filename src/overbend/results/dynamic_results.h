@@ -99,15 +99,21 @@ struct Spectrum {
   std::vector<double> density;    ///< [units^2/Hz]
 };
 
-/// Most probable largest (or smallest) value in three hours, by two fits.
+/// Most probable largest (or smallest) value in three hours, with its 95 % confidence interval, and what the fits say
+/// that it is chosen from: those that are of use.
 struct ExtremeEstimate {
   std::string name, units;
-  bool smallest = false;                                        ///< Of the smallest value.
-  int peaks = 0;                                                ///< Between mean up-crossings, from t = 0.
-  double observed = 0.0;                                        ///< Largest (smallest) of the run.
-  double weibull = 0.0, weibull_low = 0.0, weibull_high = 0.0;  ///< Estimate, 95 % confidence.
-  double gumbel = 0.0, gumbel_low = 0.0, gumbel_high = 0.0;
-  bool enough = false;  ///< False: too few peaks to fit; the estimates are the observed value.
+  bool smallest = false;                      ///< Of the smallest value.
+  int peaks = 0;                              ///< Between mean up-crossings, from t = 0.
+  double observed = 0.0;                      ///< Largest (smallest) of the run.
+  std::optional<double> estimate, low, high;  ///< None where no estimate is of use.
+  std::string method;                         ///< "Weibull", "generalised Pareto" ...; empty without one.
+  std::string quality;                        ///< "good", "uncertain", "none".
+  std::string remark;                         ///< Why it is not good.
+  std::optional<double> weibull, weibull_low, weibull_high;  ///< Of the upper half of the peaks.
+  std::optional<double> gumbel, gumbel_low, gumbel_high;     ///< Of the largest of blocks of peaks.
+  std::optional<double> pareto, pareto_low, pareto_high;     ///< Generalised, of peaks over a threshold.
+  bool enough = false;                                       ///< False: too few peaks to fit.
 };
 
 /// Energies [J]: what went in, where it is, what is lost; see docs/theory/dynamics.md.
@@ -207,6 +213,9 @@ struct DynamicResults {
   std::vector<HistorySummary> histories;
   std::vector<Spectrum> spectra;
   std::vector<ExtremeEstimate> extremes;
+  /// What happened in the run that a record of it before and after is not one of the same: there are no most probable
+  /// extremes then. Empty where nothing did.
+  std::string non_stationary;
 
   StationDesign design;
   CheckTable checks;  ///< Of the whole run.

@@ -13,11 +13,12 @@ namespace overbend {
 /// A quantity that waves and slow drift move together. `slow` and `wave` are its parts by a symmetric low-pass on the
 /// stored history, and add up to it: docs/theory/moorings.md.
 struct MotionSpread {
-  Spread whole;                                             ///< Every step of the run.
-  Spread slow;                                              ///< Mean included.
-  Spread wave;                                              ///< Its mean is zero but for the ends of the run.
-  double most_probable_min = 0.0, most_probable_max = 0.0;  ///< In three hours, slow and wave part combined.
-  double wave_cycles = 0.0, slow_cycles = 0.0;              ///< Mean up-crossings of the parts in the run.
+  Spread whole;  ///< Every step of the run.
+  Spread slow;   ///< Mean included.
+  Spread wave;   ///< Its mean is zero but for the ends of the run.
+  /// In three hours, slow and wave part combined; none of a record that is not stationary.
+  std::optional<double> most_probable_min, most_probable_max;
+  double wave_cycles = 0.0, slow_cycles = 0.0;  ///< Mean up-crossings of the parts in the run.
   /// Standard error of the slow part's standard deviation, share of it: how far another seed may lie [-].
   double slow_std_error = 0.0;
 };

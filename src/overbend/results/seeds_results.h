@@ -46,7 +46,7 @@ struct SeedAcer {
 /// A quantity over the runs.
 struct SeedStatistics {
   double mean = 0.0, std = 0.0, min = 0.0, max = 0.0;  ///< `std` of a sample: divided by the number less one.
-  bool enough = false;                                 ///< False: too few runs for a fit, or all the same.
+  bool enough = false;  ///< False: too few runs for a fit, all the same, or one that is not stationary.
   // Gumbel distribution of a run's extreme (of its negative, turned back, for a smallest one).
   double mode = 0.0, scale = 0.0;
   double estimate = 0.0, low = 0.0, high = 0.0;  ///< Most probable extreme of three hours, 95 % confidence.

@@ -58,9 +58,9 @@ struct StudyExtreme {
   int runs = 0;
   bool largest = true;                        ///< False: the smallest value is looked for.
   double mean = 0.0, std = 0.0, worst = 0.0;  ///< Of the extremes of the runs.
-  bool enough = false;                        ///< Too few runs for the fits below otherwise.
-  StudyEstimate gumbel;                       ///< Most probable extreme of three hours, 95 % confidence.
-  std::optional<StudyEstimate> acer;          ///< The same by average conditional exceedance rates of the histories.
+  bool enough = false;                ///< Otherwise too few runs for the fits below, or one that is not stationary.
+  StudyEstimate gumbel;               ///< Most probable extreme of three hours, 95 % confidence.
+  std::optional<StudyEstimate> acer;  ///< The same by average conditional exceedance rates of the histories.
 };
 
 /// One combination of the other axes.

@@ -130,7 +130,7 @@ void warn_of_motion(const Model& model, const DynamicOptions& options, LinesResu
   run.build_up = options.build_up;
   run.seed = options.seed;
   warn_of_sea(model.description, run);
-  warn_of_energy(results.energy_drift, run);
+  warn_of_energy(results.energy_drift, model.description.dynamics && model.description.dynamics->step, run);
   results.warnings.insert(results.warnings.end(), run.warnings.begin(), run.warnings.end());
 }
 

@@ -14,6 +14,7 @@
 #include "moorings/clearance.h"
 #include "numerics/low_pass.h"
 #include "numerics/record_part.h"
+#include "study/non_stationary.h"
 
 namespace overbend {
 namespace {
@@ -34,8 +35,8 @@ using Values = std::vector<double>;
 /// The rows of a run.
 class Rows {
  public:
-  Rows(RunStore& store, double step, double cut_off)
-      : store_(store), time_(store.column(0)), step_(step), cut_off_(cut_off) {
+  Rows(RunStore& store, double step, double cut_off, bool stationary)
+      : store_(store), time_(store.column(0)), step_(step), cut_off_(cut_off), stationary_(stationary) {
     const auto counted = std::lower_bound(time_.begin(), time_.end(), -1e-6 * step);
     first_ = static_cast<std::size_t>(counted - time_.begin());
   }
@@ -73,10 +74,11 @@ class Rows {
     const PartHeights up = heights(slow), waves_up = heights(wave);
     out.slow_cycles = up.cycles;
     out.wave_cycles = waves_up.cycles;
+    out.slow_std_error = deviation_error(slow, step_, kResolution * cut_off_);
+    if (!stationary_) return;
     out.most_probable_max = out.slow.mean + combined_height(up, waves_up);
     const PartHeights down = heights(turned(slow)), waves_down = heights(turned(wave));
     out.most_probable_min = out.slow.mean - combined_height(down, waves_down);
-    out.slow_std_error = deviation_error(slow, step_, kResolution * cut_off_);
   }
 
   static Values turned(std::span<const double> values) {
@@ -88,20 +90,21 @@ class Rows {
   RunStore& store_;
   Values time_;
   double step_, cut_off_;
+  bool stationary_;
   std::size_t first_ = 0;  ///< Row of t = 0.
 };
 
 /// A distance is never below zero, and a line bears no push: what the least of the sum says below that is no value of
 /// the quantity. One that was below zero itself, by a hair of the numbers, stays.
 void keep_from_negative(MotionSpread& out) {
-  out.most_probable_min = std::max(out.most_probable_min, std::min(0.0, out.whole.min));
+  if (out.most_probable_min) out.most_probable_min = std::max(*out.most_probable_min, std::min(0.0, out.whole.min));
 }
 
 /// The same from another origin.
 MotionSpread shifted(MotionSpread from, const Spread& whole, double by) {
-  for (double* value :
-       {&from.slow.min, &from.slow.max, &from.slow.mean, &from.most_probable_min, &from.most_probable_max}) {
-    *value += by;
+  for (double* value : {&from.slow.min, &from.slow.max, &from.slow.mean}) *value += by;
+  for (std::optional<double>* value : {&from.most_probable_min, &from.most_probable_max}) {
+    if (*value) **value += by;
   }
   from.whole = whole;
   return from;
@@ -205,7 +208,8 @@ void finish_motions(const StaticResults& statics, const Description& description
   if (!results.vessel) return;
   VesselDynamics& vessel = *results.vessel;
   vessel.cut_off = cut_off_period(description.environment.waves);
-  Rows rows(store, results.output_step, vessel.cut_off);
+  results.non_stationary = non_stationary(description, results);
+  Rows rows(store, results.output_step, vessel.cut_off, results.non_stationary.empty());
   const std::array<std::pair<const char*, MotionSpread*>, 7> motions = {{{"surge", &vessel.surge},
                                                                          {"sway", &vessel.sway},
                                                                          {"heave", &vessel.heave},
@@ -227,8 +231,8 @@ void finish_motions(const StaticResults& statics, const Description& description
     keep_from_negative(line.fairlead_tension);
     keep_from_negative(line.anchor_tension);
     const double whole = line.fairlead_tension.whole.max;
-    if (line.utilisation && whole > 0.0) {
-      line.most_probable_utilisation = *line.utilisation * line.fairlead_tension.most_probable_max / whole;
+    if (line.utilisation && whole > 0.0 && line.fairlead_tension.most_probable_max) {
+      line.most_probable_utilisation = *line.utilisation * *line.fairlead_tension.most_probable_max / whole;
     }
   }
   if (description.moorings) find_clearances(description.moorings->objects, store, results.moorings);

@@ -11,6 +11,7 @@
 #include "mechanics/sea_range.h"
 #include "model/rao_table.h"
 #include "numerics/record_part.h"
+#include "study/non_stationary.h"
 
 namespace overbend {
 namespace {
@@ -44,8 +45,16 @@ double deviation(const DynamicResults& results, const std::string& name) {
   return h == nullptr ? 0.0 : h->over_time.std;
 }
 
+void warn_of_change(DynamicResults& results) {
+  if (results.non_stationary.empty()) return;
+  results.warnings.push_back(
+      fmt::format("{}: {}; there are no three-hour extremes, and means and standard deviations are of the whole run",
+                  kNotStationary, results.non_stationary));
+}
+
 void warn_of_short_run(DynamicResults& results) {
-  if (results.duration >= kThreeHours || results.extremes.empty()) return;
+  const auto estimated = [](const ExtremeEstimate& extreme) { return extreme.estimate.has_value(); };
+  if (results.duration >= kThreeHours || std::ranges::none_of(results.extremes, estimated)) return;
   results.warnings.push_back(
       fmt::format("the three-hour extremes are extrapolated from a run of {0:.3g} min, and the maxima of the run are "
                   "those of {0:.3g} min only",
@@ -82,12 +91,14 @@ void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
 
 }  // namespace
 
-void warn_of_energy(double drift, DynamicResults& results) {
+void warn_of_energy(double drift, bool fixed_step, DynamicResults& results) {
   if (std::abs(drift) <= kMostDrift) return;
   results.warnings.push_back(
       fmt::format("the energy balance of the run has an error of {:.2g} of the energy exchanged: the motion is not "
-                  "resolved; reduce analysis.dynamic.max_step, or omit a fixed step",
-                  std::abs(drift)));
+                  "resolved; {}",
+                  std::abs(drift),
+                  fixed_step ? "omit analysis.dynamic.step, or reduce it"
+                             : "reduce analysis.dynamic.max_step and analysis.dynamic.step_error"));
 }
 
 double trend(std::span<const double> values) {
@@ -179,11 +190,13 @@ void warn_of_sea(const Description& description, DynamicResults& results) {
   }
 }
 
-void warn_of_run(const WavesDescription& waves, DynamicResults& results, std::span<const double> tension) {
-  if (is_irregular(waves.type)) warn_of_short_run(results);  // the peaks of a regular wave are all alike
+void warn_of_run(const Description& description, DynamicResults& results, std::span<const double> tension) {
+  if (is_irregular(description.environment.waves.type))
+    warn_of_short_run(results);  // the peaks of a regular wave are all alike
+  warn_of_change(results);
   warn_of_still_vessel(results);
   warn_of_tension(results, tension);
-  warn_of_energy(results.energy.drift(), results);
+  warn_of_energy(results.energy.drift(), description.dynamics && description.dynamics->step, results);
 }
 
 }  // namespace overbend

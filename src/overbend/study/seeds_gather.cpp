@@ -5,6 +5,7 @@
 
 #include "base/constants.h"
 #include "numerics/log_weibull.h"
+#include "study/non_stationary.h"
 
 namespace overbend {
 namespace {
@@ -185,6 +186,10 @@ bool never_negative(const std::string& quantity) {
 
 namespace {
 
+bool changed(const SeedsResults& results) {
+  return std::ranges::any_of(results.runs, [](const SeedRun& run) { return tell_of_change(run.warnings); });
+}
+
 void keep_from_negative(SeedStatistics& s) {
   for (double* value : {&s.estimate, &s.low, &s.high}) *value = std::max(*value, 0.0);
   if (!s.acer) return;
@@ -203,12 +208,14 @@ void fill_statistics(SeedsResults& results) {
       if (!std::isnan(run.values.at(i))) values.push_back(run.values[i]);  // absent: counts for nothing
     }
     if (values.empty()) values.push_back(results.runs.front().values.at(i));
-    results.statistics.push_back(seed_statistics(values, results.quantities[i].extreme, results.duration));
+    const SeedExtreme extreme = changed(results) ? SeedExtreme::none : results.quantities[i].extreme;
+    results.statistics.push_back(seed_statistics(values, extreme, results.duration));
     if (never_negative(results.quantities[i].name)) keep_from_negative(results.statistics.back());
   }
 }
 
 void add_acer(SeedsResults& results, std::span<const std::vector<HistoryPeaks>> peaks) {
+  if (changed(results)) return;
   for (std::size_t i = 0; i < results.statistics.size(); ++i) {
     if (results.quantities.at(i).extreme == SeedExtreme::none) continue;
     const std::optional<AcerFit> fit = acer_of_result(peaks, results.quantities[i].name);

@@ -25,7 +25,7 @@ SeedStatistics seed_statistics(std::span<const double> values, SeedExtreme extre
 /// Of the quantities above: whether no extreme of it is below zero, whatever a distribution says. A line bears no push.
 bool never_negative(const std::string& quantity);
 
-/// Fills `statistics` from `runs`.
+/// Fills `statistics` from `runs`; no extreme of three hours where one of them is not stationary.
 void fill_statistics(SeedsResults& results);
 
 /// Adds the estimates by average conditional exceedance rates to `statistics`, where the quantity is an extreme.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "study/non_stationary.h"
 #include "study/seeds_gather.h"
 
 namespace overbend {
@@ -18,6 +19,10 @@ bool has_word(const std::string& name, const std::string& word) {
   return false;
 }
 
+bool changed(const std::vector<const StudyCase*>& group) {
+  return std::ranges::any_of(group, [](const StudyCase* one) { return tell_of_change(one->warnings); });
+}
+
 StudyExtreme extreme_of(const std::vector<const StudyCase*>& group, std::size_t output, bool largest, double duration) {
   StudyExtreme extreme;
   extreme.group = group.front()->group;
@@ -30,7 +35,7 @@ StudyExtreme extreme_of(const std::vector<const StudyCase*>& group, std::size_t 
   extreme.mean = s.mean;
   extreme.std = s.std;
   extreme.worst = largest ? s.max : s.min;
-  extreme.enough = s.enough;
+  extreme.enough = s.enough && !changed(group);
   extreme.gumbel = {s.estimate, s.low, s.high};
   return extreme;
 }
@@ -39,7 +44,7 @@ StudyExtreme extreme_of(const std::vector<const StudyCase*>& group, std::size_t 
 std::vector<std::vector<HistoryPeaks>> group_peaks(const std::vector<const StudyCase*>& group,
                                                    const PeaksOfCase& peaks) {
   std::vector<std::vector<HistoryPeaks>> all;
-  if (!peaks) return all;
+  if (!peaks || changed(group)) return all;
   for (const StudyCase* one : group) {
     all.push_back(peaks(*one));
     if (all.back().empty()) return {};

@@ -409,6 +409,7 @@ export interface DynamicSummary {
   seed: number;
   assumptions: string[];
   warnings: string[];
+  non_stationary: string;
   impact_count: number;
   top_tension: Spread;
   bottom_tension: Spread;
@@ -422,7 +423,7 @@ export interface DynamicSummary {
   supports: SupportSummary[];
   impacts: { name: string; count: number; largest_impact_force: number; largest_approach_velocity: number; largest_impulse: number; dent_depth: number; line_load: number; }[];
   tensioner: { mode: string; wanted: number; range_low: number; range_high: number; travel_limit: number; min_tension: number; max_tension: number; mean_tension: number; std_tension: number; travel_min: number; travel_max: number; travel_mean: number; travel_std: number; time_out_of_range: number; time_holding: number; time_delayed: number; time_paying_out: number; time_hauling_in: number; time_at_limit: number; pay_out_count: number; haul_in_count: number; limit_count: number; };
-  extremes: { name: string; units: string; smallest: boolean; peaks: number; observed: number; weibull: { estimate: number; low: number; high: number; }; gumbel: { estimate: number; low: number; high: number; }; enough: boolean; }[];
+  extremes: ({ name: string; units: string; smallest: boolean; peaks: number; observed: number; estimate: number | null; low: number | null; high: number | null; method: string; quality: string; remark: string; weibull: { estimate: number | null; low: number | null; high: number | null; }; gumbel: { estimate: number | null; low: number | null; high: number | null; }; pareto: { estimate: number | null; low: number | null; high: number | null; }; enough: boolean; })[];
   energy_drift: number;
   steps: number;
   rejected_steps: number;

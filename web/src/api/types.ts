@@ -123,7 +123,7 @@ export interface Column { name: string; unit: string; text: string }
 export interface Series { t: number[]; min: number[]; max: number[] }
 
 /** A quantity that slow drift and waves move together, with both parts. */
-export interface MotionSpread extends Spread { slow: Spread; wave: Spread; most_probable_min: number; most_probable_max: number }
+export interface MotionSpread extends Spread { slow: Spread; wave: Spread; most_probable_min: number | null; most_probable_max: number | null }
 
 export type MotionName = 'surge' | 'sway' | 'heave' | 'roll' | 'pitch' | 'yaw';
 export type VesselInTime = Record<MotionName, MotionSpread> & { confidence: string };

@@ -19,7 +19,8 @@ function Row({ name, history, unit, parts, apart }: Shown & { apart: boolean }) 
   const of = parts ?? extremes.value[history];
   if (!of) return null;
   const [shown, factor] = display(unit), value = (v: number, digits = 3): string => tidy(Number((v * factor).toFixed(3)), digits);
-  const title = parts ? `Mean ${value(parts.mean)}, most probable in three hours ${value(parts.most_probable_min)} to ${value(parts.most_probable_max)} ${shown}. Show its history` : 'Show its history';
+  const hours = parts && parts.most_probable_min !== null && parts.most_probable_max !== null ? `, most probable in three hours ${value(parts.most_probable_min)} to ${value(parts.most_probable_max)}` : '';
+  const title = parts ? `Mean ${value(parts.mean)}${hours} ${shown}. Show its history` : 'Show its history';
   return (
     <tr>
       <th scope="row"><button type="button" class="linkname" title={title} onClick={() => showHistory(history)}>{name}</button> <small>{shown}</small></th>

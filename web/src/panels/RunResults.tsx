@@ -1,6 +1,7 @@
 // The selected run: static values with minima and maxima over time, its warnings, its state.
 import type { Lay, Region, RegionSummary, Run, RunSummary, Spread } from '../api/types';
 import { bullets, withoutPaths } from '../logic/warnings';
+import { display } from '../logic/show';
 import { fromSi, tidy } from '../logic/units';
 import { calmLay, ofRun } from '../state/shown';
 import { cancelRun, runName, runSummary, select, selected } from '../state/runs';
@@ -61,6 +62,34 @@ function Table() {
   );
 }
 
+const extremeName = (name: string): string => name.replace(/^(support|mooring)\//, '').replace(/_peak$/, '').replaceAll('_', ' ').replace('/', ', ');
+
+/** Most probable extremes in three hours, and what they are worth. */
+function Extremes() {
+  const d = runSummary.value?.dynamic;
+  if (!d?.extremes.length) return null;
+  return (
+    <details class="extremes">
+      <summary>Most probable in three hours</summary>
+      {d.non_stationary ? <p class="brief">None: {d.non_stationary}.</p> : (
+        <table class="minmax">
+          <thead><tr><th scope="col" /><th scope="col">seen</th><th scope="col">in 3 h</th><th scope="col">quality</th></tr></thead>
+          <tbody>
+            {d.extremes.map((e) => {
+              const [unit, factor] = display(e.units), value = (v: number | null): string => (v === null ? '–' : tidy(v * factor, 3));
+              return (
+                <tr key={`${e.name}${e.smallest ? ' least' : ''}`} title={e.remark || `95 % confidence: ${value(e.low)} to ${value(e.high)} ${unit}`}>
+                  <th scope="row">{extremeName(e.name)}{e.smallest ? ', least' : ''} <small>{unit}</small></th><td>{value(e.observed)}</td><td>{value(e.estimate)}</td><td>{e.quality}</td>
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+      )}
+    </details>
+  );
+}
+
 /** Without a pipe there is none to count. */
 function impacts(d: NonNullable<RunSummary['dynamic']>): string {
   if (!calmLay.value?.key) return '';
@@ -90,7 +119,7 @@ export function RunResults() {
       <h2>{runName(run)} <small>{run.kind === 'dynamic' ? 'dynamic run' : 'static run'}</small></h2>
       {run.note ? <p class="note">{run.note}</p> : null}
       <Standing run={run} />
-      {loading ? <p class="brief">Loading…</p> : <><Table /><FatigueResults /><MooringResults /><LineTable lines={calmLay.value?.lines ?? []} /></>}
+      {loading ? <p class="brief">Loading…</p> : <><Table /><Extremes /><FatigueResults /><MooringResults /><LineTable lines={calmLay.value?.lines ?? []} /></>}
       <Warnings list={bullets(said, boxes)} />
       {run.parent ? <button type="button" class="back" onClick={() => select(run.parent!)}>Back to the study</button> : null}
       <button type="button" class="back" onClick={() => select(null)}>Back to the model</button>

@@ -118,22 +118,31 @@ void visit_estimate(Row& r, Visit& visit) {
   visit(ResultField{"smallest", "1", "1: of the smallest value, the columns then are of that"}.summary(), r.smallest);
   visit(ResultField{"peaks", "1", "Number of peaks between mean up-crossings, from t = 0"}.summary(), r.peaks);
   visit(ResultField{"observed", kVaries, "Largest (smallest) value of the run"}.summary(), r.observed);
-  visit(
-      ResultField{"weibull", kVaries, "Most probable largest (smallest) value in three hours by a Weibull fit"}.summary(
-          "weibull/estimate"),
-      r.weibull);
+  visit(ResultField{"estimate", kVaries, "Most probable largest (smallest) value in three hours"}.summary(),
+        r.estimate);
+  visit(ResultField{"low", kVaries, "Lower bound of it at 95 % confidence"}.summary(), r.low);
+  visit(ResultField{"high", kVaries, "Upper bound of it at 95 % confidence"}.summary(), r.high);
+  visit(ResultField{"method", "1", "What it is made by"}.summary(), r.method);
+  visit(ResultField{"quality", "1", "good, uncertain, or none: no estimate is of use"}.summary(), r.quality);
+  visit(ResultField{"remark", "1", "Why it is not good"}.summary(), r.remark);
+  visit(ResultField{"weibull", kVaries, "By a Weibull fit; none where it does not describe the peaks"}.summary(
+            "weibull/estimate"),
+        r.weibull);
   visit(ResultField{"weibull_low", kVaries, "Lower bound of it at 95 % confidence"}.summary("weibull/low"),
         r.weibull_low);
   visit(ResultField{"weibull_high", kVaries, "Upper bound of it at 95 % confidence"}.summary("weibull/high"),
         r.weibull_high);
-  visit(ResultField{"gumbel", kVaries, "Most probable largest (smallest) value in three hours by a Gumbel fit"}.summary(
-            "gumbel/estimate"),
-        r.gumbel);
+  visit(ResultField{"gumbel", kVaries, "By a Gumbel fit"}.summary("gumbel/estimate"), r.gumbel);
   visit(ResultField{"gumbel_low", kVaries, "Lower bound of it at 95 % confidence"}.summary("gumbel/low"), r.gumbel_low);
   visit(ResultField{"gumbel_high", kVaries, "Upper bound of it at 95 % confidence"}.summary("gumbel/high"),
         r.gumbel_high);
-  visit(ResultField{"enough", "1", "0: too few peaks to fit, the estimates are the observed value"}.summary(),
-        r.enough);
+  visit(ResultField{"pareto", kVaries, "By a generalised Pareto fit; none where Weibull's serves"}.summary(
+            "pareto/estimate"),
+        r.pareto);
+  visit(ResultField{"pareto_low", kVaries, "Lower bound of it at 95 % confidence"}.summary("pareto/low"), r.pareto_low);
+  visit(ResultField{"pareto_high", kVaries, "Upper bound of it at 95 % confidence"}.summary("pareto/high"),
+        r.pareto_high);
+  visit(ResultField{"enough", "1", "0: too few peaks to fit"}.summary(), r.enough);
 }
 
 /// A quantity along the line over time, and its static values. Visitors with a member `over_time` get both together.

@@ -18,6 +18,8 @@ void visit_dynamic_settings(Results& r, Visit& visit) {
   visit(ResultField{"seed", "1", "Seed of the random phases of the sea"}.summary(), r.seed);
   visit(ResultField{"assumptions", "1", "Assumptions"}.summary(), r.assumptions);
   visit(ResultField{"warnings", "1", "Warnings"}.summary(), r.warnings);
+  visit(ResultField{"non_stationary", "1", "Why there are no most probable extremes; empty where there are"}.summary(),
+        r.non_stationary);
 }
 
 /// What is directly in the group of a run with a pipe. `tip` is false where there is no stinger.
@@ -85,9 +87,9 @@ void visit_energy(Row& r, Visit& visit) {
   visit(ResultField{"friction_loss", "J", "Lost in friction"}, r.friction_loss);
   visit(ResultField{"seabed_loss", "J", "Lost in the seabed"}, r.seabed_loss);
   visit(ResultField{"yielding_loss", "J", "Lost in yielding steel"}, r.yielding_loss);
+  visit(ResultField{"line_loss", "J", "Lost in the internal damping of ropes and chains"}, r.line_loss);
   visit(ResultField{"bodies", "J", "Energy of a free hull or stinger, of motion and place, change since the start"},
         r.bodies);
-  visit(ResultField{"line_loss", "J", "Lost in the internal damping of ropes and chains"}, r.line_loss);
   visit(ResultField{"on_bodies", "J", "Work on a free hull or stinger, of waves, water, wind, machines and loads"},
         r.on_bodies);
   visit(ResultField{"error", "J", "Stored and lost energy less the work done"}, r.error);

@@ -1,0 +1,144 @@
+#include "numerics/pareto_tail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include "numerics/random_draw.h"
+#include "numerics/tail_check.h"
+
+namespace overbend {
+namespace {
+
+constexpr std::size_t kFewestOver = 12;    ///< Peaks over a threshold; fewer say nothing of a shape.
+constexpr double kRise = 1.4;              ///< Fewer peaks over each threshold than over the one before.
+constexpr double kMostShape = 0.5;         ///< Either way: beyond, moments do not tell it.
+constexpr double kMostDistance = 0.40;     ///< 5 % of samples lie further off, from 12 to 200 values, shapes 0 to 0.4.
+constexpr double kLeastChance = 0.02;      ///< Of the largest.
+constexpr std::size_t kLargestLooked = 5;  ///< Number of the largest that are looked at.
+constexpr int kSamples = 400;              ///< For an interval.
+constexpr double kAlmostExponential = 1e-9;  /// Shape.
+
+/// Share of a distribution with this shape and scale 1 above y.
+double share_above(double y, double shape) {
+  if (std::abs(shape) < kAlmostExponential) return std::exp(-y);
+  const double base = 1.0 + shape * y;
+  return base > 0.0 ? std::pow(base, -1.0 / shape) : 0.0;
+}
+
+/// The y with that share above it.
+double with_share(double share, double shape) {
+  if (std::abs(shape) < kAlmostExponential) return -std::log(share);
+  return (std::pow(share, -shape) - 1.0) / shape;
+}
+
+struct ScaleShape {
+  double scale = 0.0, shape = 0.0;
+};
+
+/// Of values in ascending order. A distribution with an end ends beyond the largest.
+ScaleShape by_moments(std::span<const double> y) {
+  const double n = static_cast<double>(y.size());
+  double mean = 0.0, weighted = 0.0;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    mean += y[i] / n;
+    weighted += (1.0 - (static_cast<double>(i) + 0.65) / n) * y[i] / n;
+  }
+  double shape = std::clamp(2.0 - mean / (mean - 2.0 * weighted), -kMostShape, kMostShape);
+  if (shape < 0.0 && mean * (1.0 - shape) / -shape <= y.back()) {
+    const double end = y.back() * (1.0 + 1.0 / n);
+    shape = -mean / (end - mean);
+  }
+  return {mean * (1.0 - shape), shape};
+}
+
+/// What runs of peaks above the threshold exceed it by at most, ascending.
+std::vector<double> clusters_over(std::span<const double> peaks, double threshold) {
+  std::vector<double> over;
+  bool inside = false;
+  for (const double peak : peaks) {
+    const double y = peak - threshold;
+    if (y > 0.0) {
+      if (!inside) over.push_back(y);
+      over.back() = std::max(over.back(), y);
+    }
+    inside = y > 0.0;
+  }
+  std::ranges::sort(over);
+  return over;
+}
+
+bool describes(const ScaleShape& fit, std::span<const double> y) {
+  std::vector<double> shares, expected;
+  for (const double value : y) shares.push_back(1.0 - share_above(value / fit.scale, fit.shape));
+  const double n = static_cast<double>(y.size());
+  for (std::size_t i = 0; i < std::min(kLargestLooked, y.size()); ++i) {
+    expected.push_back(n * (1.0 - shares[y.size() - 1 - i]));
+  }
+  return upper_tail_distance(shares) < kMostDistance && least_chance(expected) > kLeastChance;
+}
+
+ParetoTail tail_over(std::span<const double> peaks, double threshold) {
+  const std::vector<double> over = clusters_over(peaks, threshold);
+  const ScaleShape fit = by_moments(over);
+  return {threshold,
+          fit.scale,
+          fit.shape,
+          over.size(),
+          static_cast<double>(over.size()) / static_cast<double>(peaks.size()),
+          describes(fit, over)};
+}
+
+/// Number of events of a Poisson process in a time in which `mean` are expected: waits are drawn.
+int drawn_count(double mean, std::mt19937_64& generator) {
+  int count = -1;
+  for (double time = 0.0; time <= mean; ++count) time -= std::log(uniform_draw(generator));
+  return count;
+}
+
+}  // namespace
+
+double ParetoTail::above(double value) const {
+  return value <= threshold ? 1.0 : share_above((value - threshold) / scale, shape);
+}
+
+double ParetoTail::once_in(double expected_peaks) const {
+  const double expected = expected_peaks * per_peak;
+  return expected > 1.0 ? threshold + scale * with_share(1.0 / expected, shape) : threshold;
+}
+
+std::optional<ParetoTail> fit_pareto_tail(std::span<const double> peaks, std::size_t most) {
+  std::vector<double> sorted(peaks.begin(), peaks.end());
+  std::ranges::sort(sorted, std::greater<>());
+  std::optional<ParetoTail> found;
+  most = std::min(most, sorted.size() / 2);
+  for (double over = static_cast<double>(most); over >= static_cast<double>(kFewestOver); over /= kRise) {
+    const auto k = static_cast<std::size_t>(over);
+    const double threshold = 0.5 * (sorted[k - 1] + sorted[k]);
+    if (!(sorted.front() > threshold) || !(sorted[k - 1] > threshold)) continue;
+    found = tail_over(peaks, threshold);
+    if (found->described) break;
+  }
+  return found;
+}
+
+ConfidentEstimate confident(const ParetoTail& tail, double expected_peaks) {
+  std::mt19937_64 generator(20240001);
+  const double peaks = static_cast<double>(tail.clusters) / tail.per_peak;
+  std::vector<double> estimates, y;
+  for (int i = 0; i < kSamples; ++i) {
+    y.resize(static_cast<std::size_t>(std::max(2, drawn_count(static_cast<double>(tail.clusters), generator))));
+    for (double& value : y) value = tail.scale * with_share(uniform_draw(generator), tail.shape);
+    std::ranges::sort(y);
+    const ScaleShape fit = by_moments(y);
+    const ParetoTail drawn{tail.threshold, fit.scale, fit.shape, y.size(), static_cast<double>(y.size()) / peaks, true};
+    estimates.push_back(drawn.once_in(expected_peaks));
+  }
+  std::ranges::sort(estimates);
+  constexpr std::size_t kCut = kSamples / 40;  // 2.5 % at each end
+  return {tail.once_in(expected_peaks), estimates[kCut], estimates[kSamples - 1 - kCut]};
+}
+
+}  // namespace overbend
