@@ -308,6 +308,22 @@ TEST(yaml_reader, unusual_values_are_taken_with_a_warning) {
   EXPECT_NE(d.warnings[0].find("pipe.steel.yield_stress"), std::string::npos);
 }
 
+/// The good model with `found` written as `written`.
+std::string rewritten(const std::string& found, const std::string& written) {
+  std::string text = kGoodModel;
+  return text.replace(text.find(found), found.size(), written);
+}
+
+TEST(yaml_reader, a_plain_number_may_be_written_in_per_cent_as_results_show_it) {
+  EXPECT_DOUBLE_EQ(read_good(rewritten("friction: 0.1", "friction: 12.5 %")).rollers[0].friction_axial, 0.125);
+}
+
+TEST(yaml_reader, a_unit_of_two_meanings_is_taken_with_a_warning) {
+  const Description d = read_good(rewritten("tension: 250 kN", "tension: 25 tonf"));
+  ASSERT_FALSE(d.warnings.empty());
+  EXPECT_NE(d.warnings[0].find("metric tonne-force"), std::string::npos) << d.warnings[0];
+}
+
 TEST(yaml_reader, a_tensile_strength_that_no_steel_has_is_warned_of) {
   std::string text = kGoodModel;
   text.replace(text.find("414 MPa"), 7, "414 MPa\n    tensile_strength: 517 GPa");

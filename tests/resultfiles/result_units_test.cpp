@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/units.h"
+
 namespace overbend {
 namespace {
 
@@ -19,6 +21,20 @@ void expect_both(const Json& units, const Json& descriptions, const std::string&
   } else if (units.is_string()) {
     ++places;
   }
+}
+
+void expect_known(const Json& units) {
+  if (units.is_structured()) {
+    for (const Json& below : units) expect_known(below);
+  } else if (units.is_string() && units != "" && units != "-" && units != "see column units") {
+    const std::string unit = units.get<std::string>();
+    EXPECT_TRUE(unit_factor(unit, unit).has_value()) << unit;
+  }
+}
+
+TEST(result_units, are_units_that_a_model_file_may_hold) {
+  expect_known(stored_summary_units());
+  expect_known(summary_units());
 }
 
 TEST(result_units, stand_where_descriptions_do) {

@@ -8,11 +8,13 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "base/require.h"
 #include "base/text.h"
+#include "base/unit_spelling.h"
 
 namespace overbend {
 namespace {
@@ -43,9 +45,9 @@ const std::vector<DimensionNames>& dimensions() {
       {"N*m", "a moment", {"kN*m", "N*m", "kip*ft"}},
       {"N*m^2", "a bending stiffness", {"kN*m^2", "N*m^2"}},
       {"kg", "a mass", {"kg", "t", "lb"}},
-      {"kg/m", "a mass per length", {"kg/m"}},
+      {"kg/m", "a mass per length", {"kg/m", "t/m", "lb/ft"}},
       {"kg/m^3", "a mass density", {"kg/m^3"}},
-      {"m-1", "a curvature", {"m-1"}},
+      {"m-1", "a curvature", {"1/m", "1/ft"}},
       {"m^2", "an area", {"m^2", "mm^2"}},
       {"1/s", "a frequency", {"Hz"}},
       {"rad/s", "an angular speed", {"rad/s"}},
@@ -54,7 +56,8 @@ const std::vector<DimensionNames>& dimensions() {
   return kDimensions;
 }
 
-/// The library's unit system with our names added; one per program, used under its mutex (UDUNITS keeps global state).
+/// The library's unit system, with the spelling of this trade; one per program, used under its mutex (UDUNITS keeps
+/// global state).
 class UnitSystem {
  public:
   static UnitSystem& instance() {
@@ -84,14 +87,9 @@ class UnitSystem {
     ut_set_error_message_handler(ut_ignore);
     system_.reset(ut_read_xml(nullptr));
     if (!system_) throw std::runtime_error("the unit database of UDUNITS-2 cannot be read (package libudunits2-data)");
-    const std::array<std::pair<const char*, const char*>, 5> kAdded = {
-        {{"deg", "degree"}, {"te", "tonne"}, {"tf", "9806.65 N"}, {"psf", "lbf/ft^2"}, {"pcf", "lbf/ft^3"}}};
-    for (const auto& [name, definition] : kAdded) {
-      if (!parse(name)) ut_map_name_to_unit(name, UT_UTF8, parse(definition).get());
-    }
   }
 
-  Unit parse(const std::string& text) { return Unit(ut_parse(system_.get(), text.c_str(), UT_UTF8)); }
+  Unit parse(const std::string& unit) { return Unit(ut_parse(system_.get(), udunits_spelling(unit).c_str(), UT_UTF8)); }
 
   static std::string signature_of(const ut_unit* unit) {
     if (unit == nullptr) return {};
@@ -161,9 +159,11 @@ std::size_t number_length(std::string_view text) {
   return i;
 }
 
-/// UDUNITS reads scales, shifts and logarithms too; a unit of ours is names, powers, products and quotients.
+/// UDUNITS reads scales, shifts and logarithms too; a unit of ours is names, powers, products and quotients, "1/m" too.
 bool looks_like_a_unit(std::string_view unit) {
-  if (unit.empty() || unit.size() > 40) return false;
+  if (unit.size() > 40) return false;
+  if (unit.substr(0, 2) == "1/") unit.remove_prefix(2);
+  if (unit.empty()) return false;
   const char first = unit.front();
   if ((first >= '0' && first <= '9') || std::string_view("+-*/.^,()").find(first) != std::string_view::npos) {
     return false;
@@ -176,20 +176,29 @@ std::string expected_units(const std::string& si_unit) {
   return units.empty() ? std::string() : "write a unit such as " + join_words({units.begin(), units.end()}, "or");
 }
 
-std::string unknown_unit_hint(std::string_view unit, const std::string& si_unit) {
+/// Of a unit that is unknown or of another dimension.
+std::string other_unit_hint(std::string_view unit, const std::string& si_unit) {
   for (const std::string& known : usual_units(si_unit)) {
     if (lower_case(known) == lower_case(unit)) return "did you mean '" + known + "'? (capitals matter in units)";
   }
-  return expected_units(si_unit);
+  const std::string spelling = spelling_hint(unit);
+  return spelling.empty() ? expected_units(si_unit) : spelling;
 }
 
-/// Engineers mix up mass and weight: say what the number would be.
+/// Engineers mix up mass and weight, and turns with radians per second: say what the number would be.
 std::string wrong_dimension_hint(double number, const std::string& unit, const std::string& si_unit) {
-  const std::optional<double> as_mass = unit_factor(unit + " m/s^2", si_unit);
-  if (!as_mass) return expected_units(si_unit);
   constexpr double kStandardGravity = 9.80665;
-  const std::string wanted = usual_units(si_unit).front();
-  return "that is a mass; its weight is " + format_quantity(number * *as_mass * kStandardGravity, si_unit, wanted, 5);
+  const auto would_be = [&](double si) { return format_quantity(si, si_unit, usual_units(si_unit).front(), 5); };
+  if (const auto mass = unit_factor(unit + " m/s^2", si_unit)) {
+    return "that is a mass; its weight is " + would_be(number * *mass * kStandardGravity);
+  }
+  if (const auto turns = unit_factor(unit + " rad", si_unit)) {
+    return "that is a frequency; the angular frequency is " + would_be(number * *turns * 2.0 * std::numbers::pi);
+  }
+  if (const auto angular = unit_factor(unit + " rad-1", si_unit)) {
+    return "that is an angular frequency; the frequency is " + would_be(number * *angular / (2.0 * std::numbers::pi));
+  }
+  return other_unit_hint(unit, si_unit);
 }
 
 }  // namespace
@@ -220,14 +229,14 @@ QuantityReading parse_quantity(std::string_view text, const std::string& si_unit
   if (unit_text.front() == ',') return {std::nullopt, quoted, "the decimal sign is a point"};
   const std::string unit(unit_text);
   if (!looks_like_a_unit(unit_text) || UnitSystem::instance().signature(unit).empty()) {
-    return {std::nullopt, quoted + " (unknown unit '" + unit + "')", unknown_unit_hint(unit_text, si_unit)};
+    return {std::nullopt, quoted + " (unknown unit '" + unit + "')", other_unit_hint(unit_text, si_unit)};
   }
   const std::optional<double> factor = unit_factor(unit, si_unit);
   if (!factor) {
     return {std::nullopt, quoted + " (" + what_it_measures(unit) + ")", wrong_dimension_hint(*number, unit, si_unit)};
   }
   if (!std::isfinite(*number * *factor)) return {std::nullopt, quoted + ", beyond anything sensible", {}};
-  return {*number * *factor, quoted, {}};
+  return {*number * *factor, quoted, {}, ambiguity_remark(unit)};
 }
 
 std::optional<double> unit_factor(const std::string& unit, const std::string& si_unit) {

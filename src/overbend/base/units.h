@@ -1,9 +1,8 @@
 /// Quantities with units: text such as "406.4 mm" to SI and back, by UDUNITS-2.
 ///
 /// A dimension is named by its SI unit: "m", "N", "N/m", "N/m^2", "N/m^3", "s", "rad", "m/s", ... Angles are a
-/// dimension of their own here (UDUNITS alone would take "3 deg" where a plain ratio is wanted). `deg`, `te` (tonne),
-/// `tf` (tonne-force), `psf` and `pcf` are added to the library's own names. All functions may be called from several
-/// threads.
+/// dimension of their own here (UDUNITS alone would take "3 deg" where a plain ratio is wanted). Spellings of this trade
+/// are added to the library's own (base/unit_spelling.h). All functions may be called from several threads.
 #pragma once
 
 #include <optional>
@@ -21,6 +20,7 @@ struct QuantityReading {
   std::optional<double> value;  ///< In SI; empty when the text is not a quantity of the wanted dimension.
   std::string found;            ///< What the text is, for a message: "'89 kN' (a force)".
   std::string hint;             ///< How to correct it; may be empty.
+  std::string remark = {};      ///< Of a value that was taken: which meaning of its unit; mostly empty.
 };
 
 /// Reads "number unit" as a quantity of the dimension whose SI unit is `si_unit`.

@@ -63,6 +63,9 @@ class FieldReader {
       diagnostics_.add({Severity::warning, file_, node.line, 0, path,
                         reading.value->shown + " is unusual, typical is " + reading.unusual, "", "is the unit right?"});
     }
+    if (!reading.remark.empty()) {
+      diagnostics_.add({Severity::warning, file_, node.line, 0, path, reading.remark, "", ""});
+    }
     reading.value->path = path;
     reading.value->line = line;
     return reading.value;

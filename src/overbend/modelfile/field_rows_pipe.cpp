@@ -140,7 +140,7 @@ std::vector<Field> section(const std::string& p) {
        .kind = FieldKind::quantity,
        .text = "Curvature.",
        .unit = "m-1",
-       .show = "m-1",
+       .show = "1/m",
        .required = true,
        .range = {.low = 0.0, .low_open = true}},
       {.path = p + ".steel.material.moment_curvature[].moment",

@@ -10,7 +10,10 @@ namespace overbend {
 namespace {
 
 constexpr const char* kQuantityPattern =
-    R"(^\s*[-+]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?\s*[^\s0-9+*/.^,()-][^@,:;=&|<>{}]*$)";
+    R"(^\s*[-+]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(1/)?[^\s0-9+*/.^,()-][^@,:;=&|<>{}]*$)";
+
+/// Of a plain number that is written in per cent.
+constexpr const char* kPercentPattern = R"(^\s*[-+]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?\s*%\s*$)";
 
 Json schema_of(const FieldNode& node);
 
@@ -41,7 +44,8 @@ Json scalar_schema(const Field& field) {
       if (!field.fallback.empty()) schema["default"] = field.fallback;
       break;
     case FieldKind::number:
-      schema["type"] = "number";
+      schema["type"] = {"number", "string"};
+      schema["pattern"] = kPercentPattern;
       add_bounds(field, schema);
       if (!field.fallback.empty()) schema["default"] = *parse_number(field.fallback);
       break;

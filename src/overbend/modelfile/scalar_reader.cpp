@@ -56,15 +56,28 @@ ScalarReading accept_number(double number, FieldValue value, const Field& field)
   return reading;
 }
 
+std::string bare_number_hint(const std::string& number, const Field& field) {
+  const std::string written = "write it as '" + number + " " + field.show + "'";
+  return field.unit != "1" ? written + " or in another unit"
+                           : written + ", or in per cent what was meant as a fraction";
+}
+
 ScalarReading read_quantity(const YamlNode& node, const Field& field) {
   const QuantityReading quantity = parse_quantity(trim(for_display(node.text, 200)), field.unit);
   if (!quantity.value) {
     const bool bare = parse_number(trim(node.text)).has_value();
-    return refuse(quantity.found, field,
-                  bare ? "write it as '" + std::string(trim(node.text)) + " " + field.show + "' or in another unit"
-                       : quantity.hint);
+    return refuse(quantity.found, field, bare ? bare_number_hint(std::string(trim(node.text)), field) : quantity.hint);
   }
-  return accept_number(*quantity.value, valued(FieldValue::Kind::number, node), field);
+  ScalarReading reading = accept_number(*quantity.value, valued(FieldValue::Kind::number, node), field);
+  reading.remark = quantity.remark;
+  return reading;
+}
+
+/// A share as people read it in results, "0.5 %".
+std::optional<double> parse_percent(std::string_view text) {
+  if (!text.ends_with('%')) return std::nullopt;
+  const std::optional<double> number = parse_number(trim(text.substr(0, text.size() - 1)));
+  return number ? std::optional(1e-2 * *number) : std::nullopt;
 }
 
 std::string number_hint(const std::string& text) {
@@ -85,7 +98,8 @@ std::string number_found(const YamlNode& node) {
 }
 
 ScalarReading read_number(const YamlNode& node, const Field& field) {
-  const std::optional<double> number = node.quoted ? std::nullopt : parse_number(node.text);
+  std::optional<double> number = node.quoted ? std::nullopt : parse_number(node.text);
+  if (!number) number = parse_percent(trim(node.text));
   if (!number) return refuse(number_found(node), field, node.quoted ? "leave out the quotes" : number_hint(node.text));
   return accept_number(*number, valued(FieldValue::Kind::number, node), field);
 }

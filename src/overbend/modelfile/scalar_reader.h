@@ -15,6 +15,7 @@ struct ScalarReading {
   std::optional<FieldValue> value;
   std::string found, expected, hint;  ///< Filled when there is no value.
   std::string unusual;                ///< Filled when the value is accepted with a remark: the usual range.
+  std::string remark = {};            ///< Another remark on an accepted value.
 };
 
 ScalarReading read_scalar(const YamlNode& node, const Field& field);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/units.h"
+
 namespace overbend {
 namespace {
 
@@ -18,6 +20,23 @@ TEST(shown_unit, goes_by_the_name_for_strains_dents_and_fractions_of_time) {
   EXPECT_EQ(shown_unit("strain", "J").name, "kJ");  // an energy
   EXPECT_EQ(shown_unit("dent_depth", "m").name, "mm");
   EXPECT_EQ(text_of(shown_unit("energy_drift", "1")), "-");
+}
+
+/// A value that is printed with its unit, as it is pasted into a model file.
+void expect_reads_back(const ShownUnit& unit) {
+  const std::string text = unit.name.empty() ? "2 %" : "2 " + std::string(unit.name);
+  const double si = unit.name.empty() ? 0.02 : 2.0 / unit.factor;
+  const QuantityReading got = parse_quantity(text, unit.si == "-" ? "1" : std::string(unit.si));
+  ASSERT_TRUE(got.value.has_value()) << text << ": " << got.found;
+  EXPECT_NEAR(*got.value, si, 1e-14 * si) << text;  // a few roundings
+}
+
+TEST(shown_unit, every_unit_that_is_printed_is_read_back_as_the_same_value) {
+  for (const ShownUnit& unit : kShownUnits) expect_reads_back(unit);
+  for (const OwnUnit& own : kOwnUnits) expect_reads_back(own.unit);
+  for (const char* si : {"1/m", "1/s", "Hz", "N m/rad", "N m2", "kg/m", "m/s", "m2", "m4", "m^2", "N", "N m", "J"}) {
+    expect_reads_back({si, si, 1.0, 3});
+  }
 }
 
 }  // namespace

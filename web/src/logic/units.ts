@@ -15,7 +15,10 @@ const table: Record<string, Unit> = {
   MN: { family: 'force', factor: 1e6, twin: 'kip' },
   lbf: { family: 'force', factor: 4.4482216152605, twin: 'N' },
   kip: { family: 'force', factor: 4448.2216152605, twin: 'kN' },
-  te: { family: 'force', factor: 9806.65, twin: 'kN' },
+  tf: { family: 'force', factor: 9806.65, twin: 'kN' },
+  t: { family: 'mass', factor: 1000, twin: 'lb' },
+  kg: { family: 'mass', factor: 1, twin: 'lb' },
+  lb: { family: 'mass', factor: 0.45359237, twin: 'kg' },
   Pa: { family: 'pressure', factor: 1, twin: 'psi' },
   kPa: { family: 'pressure', factor: 1e3, twin: 'psi' },
   MPa: { family: 'pressure', factor: 1e6, twin: 'ksi' },
@@ -41,7 +44,7 @@ const table: Record<string, Unit> = {
   'kip/ft': { family: 'stiffness', factor: 14593.902937206, twin: 'kN/m' },
 };
 
-const alias: Record<string, string> = { inch: 'in', knots: 'knot', kn: 'knot', sec: 's', hour: 'h', degree: 'deg', degrees: 'deg', '"': 'in', "'": 'ft' };
+const alias: Record<string, string> = { te: 't', mt: 't', tonf: 'tf', inch: 'in', knots: 'knot', kn: 'knot', sec: 's', hour: 'h', degree: 'deg', degrees: 'deg', '"': 'in', "'": 'ft' };
 
 export interface Quantity { number: number; unit: string }
 
