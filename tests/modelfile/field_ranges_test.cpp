@@ -90,8 +90,9 @@ std::vector<double> probes(const Field& field) {
 }
 
 bool may_be(const Field& field, double value) {
-  const double largest = field.kind == FieldKind::integer ? 9e15 : 1e15;  // whole numbers are exact up to 2^53
-  const double limit = field.kind == FieldKind::quantity ? largest_sensible(field.unit) : largest;
+  const double largest = field.kind == FieldKind::integer ? 9e15 : 1e15;          // whole numbers are exact up to 2^53
+  const double bound = std::isfinite(field.range.high) ? field.range.high : 0.0;  // map coordinates reach beyond
+  const double limit = field.kind == FieldKind::quantity ? std::max(largest_sensible(field.unit), bound) : largest;
   return field.range.contains(value) && std::abs(value) <= limit;
 }
 
@@ -181,6 +182,8 @@ TEST_F(field_ranges, only_places_and_angles_may_be_negative) {
                                         "supports.ramp.boxes[].offset",
                                         "supports.stinger.boxes[].offset",
                                         "environment.seabed.profile[].x",
+                                        "environment.seabed.bathymetry_midship.east",
+                                        "environment.seabed.bathymetry_midship.north",
                                         "route.points[].x",
                                         "route.points[].y",
                                         "supports.stinger.sections[].boxes[].offset",

@@ -1,6 +1,7 @@
 // Profile and bathymetry of the seabed in the model file.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -102,6 +103,60 @@ TEST_F(bathymetry_file, has_to_be_there_and_agree_with_the_water_depth) {
   put("bed.csv", "east,north,depth\n-300,-300,80\n300,-300,80\n-300,300,80\n300,300,80\n");
   const std::string shallow = first_error(text, folder_);
   EXPECT_NE(shallow.find("a depth of 80 m at the stern shoe"), std::string::npos) << shallow;
+}
+
+/// An ASCII grid of 40 by 40 cells of 50 m around a place, of one depth but for the westernmost column.
+std::string grid_around(double east, double north, const std::string& depth, const std::string& west) {
+  std::string text = "ncols 40\nnrows 40\nxllcorner " + std::to_string(east - 1000.0) + "\nyllcorner " +
+                     std::to_string(north - 1000.0) + "\ncellsize 50\n";
+  for (int row = 0; row < 40; ++row) {
+    text += west;
+    for (int column = 1; column < 40; ++column) text += " " + depth;
+    text += "\n";
+  }
+  return text;
+}
+
+TEST_F(bathymetry_file, far_from_the_lay_is_refused_with_the_distance) {
+  put("grid.asc", grid_around(431250.0, 6182100.0, "89", "89"));
+  const std::string error = first_error(with_bed("    bathymetry: grid.asc\n"), folder_);
+  EXPECT_NE(error.find("an area 6196 km from the stern shoe"), std::string::npos) << error;
+  EXPECT_NE(error.find("bathymetry_midship"), std::string::npos) << error;
+}
+
+TEST_F(bathymetry_file, in_map_coordinates_is_placed_by_those_of_midship) {
+  put("grid.asc", grid_around(431250.0, 6182100.0, "89", "89"));
+  const std::string keys = "    bathymetry: grid.asc\n    bathymetry_midship: {east: 431250 m, north: 6182100 m}\n";
+  const ModelReading reading = read_model_text(with_bed(keys), (folder_ / "model.yaml").string());
+  ASSERT_TRUE(reading.description) << reading.diagnostics.lines(Severity::error)[0];
+  const Bathymetry& depths = *reading.description->environment.seabed.bathymetry;
+  EXPECT_NEAR(depths.east.front(), -975.0, 1e-6);
+  EXPECT_NEAR(depths.north.back(), 975.0, 1e-6);
+}
+
+TEST_F(bathymetry_file, of_a_coast_serves_where_the_lay_is_in_the_water) {
+  put("grid.asc", grid_around(0.0, 0.0, "89", "0"));
+  put("land.asc", grid_around(0.0, 0.0, "-89", "12"));
+  for (const char* file : {"grid.asc", "land.asc"}) {
+    const std::string keys = std::string("    bathymetry: ") + file + "\n";
+    const ModelReading reading = read_model_text(with_bed(keys), (folder_ / "model.yaml").string());
+    ASSERT_TRUE(reading.description) << reading.diagnostics.lines(Severity::error)[0];
+    EXPECT_NEAR(reading.description->environment.seabed.bathymetry->depth.back(), 89.0, 1e-12) << file;
+  }
+}
+
+TEST(uneven_seabed, a_slope_that_leaves_the_water_where_pipe_is_laid_is_warned_of) {
+  const auto warned = [](const std::string& keys) {
+    const std::vector<std::string> lines =
+        read_model_text(with_bed(keys), "model.yaml").diagnostics.lines(Severity::warning);
+    return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+      return line.find("the seabed leaves the water 332.2 m astern") != std::string::npos;
+    });
+  };
+  // 89 m / tan 15 deg; the bow points to 90 deg, so that the pipe is laid towards 270 deg.
+  EXPECT_TRUE(warned("    slope: 15 deg\n    slope_towards: 90 deg\n"));
+  EXPECT_FALSE(warned("    slope: 15 deg\n    slope_towards: 270 deg\n"));
+  EXPECT_FALSE(warned("    slope: 2 deg\n    slope_towards: 90 deg\n"));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(bathymetry_reader, takes_points_with_a_gap_for_scattered) {
 TEST(bathymetry_reader, says_line_and_reason_of_a_fault) {
   EXPECT_NE(fault_of_table("x,y,z\n0,0,5\n").find("'east,north,depth'"), std::string::npos);
   EXPECT_NE(fault_of_table("east,north,depth\n0,0,5\n0,1,deep\n").find("bed.csv:3"), std::string::npos);
-  EXPECT_NE(fault_of_table("east,north,depth\n0,0,5\n0,1,-5\n").find("more than 0"), std::string::npos);
+  EXPECT_NE(fault_of_table("east,north,depth\n0,0,-5\n0,9,-5\n30,0,-4\n").find("no depth above 0"), std::string::npos);
   EXPECT_NE(fault_of_table("east,north,depth\n0,0,5\n0,1,5\n").find("at least three"), std::string::npos);
   EXPECT_NE(fault_of_table("east,north,depth\n0,0,5\n0,1,5\n0,2,5\n").find("points on one line"), std::string::npos);
 }
@@ -78,14 +78,45 @@ TEST(bathymetry_reader, refuses_depths_that_no_sea_has) {
   EXPECT_TRUE(diagnostics.has_errors());
 }
 
-TEST(bathymetry_reader, refuses_grids_that_are_not_whole_or_of_both_signs) {
+TEST(bathymetry_reader, a_grid_may_reach_the_shore_and_the_land_behind_it) {
+  Diagnostics diagnostics;
+  const auto shore = read_ascii_grid(kHead + "0 2 3\n0 5 6\n", "bed.asc", diagnostics);
+  const auto land = read_ascii_grid(kHead + "8 -2 -3\n0 -5 -6\n", "bed.asc", diagnostics);
+  const auto table =
+      read_depth_table("east,north,depth\n0,0,-3\n20,0,0\n40,0,5\n0,9,-2\n20,9,1\n40,9,6\n", "bed.csv", diagnostics);
+  ASSERT_TRUE(shore && land && table) << diagnostics.lines(Severity::error)[0];
+  EXPECT_EQ(shore->depth, (std::vector<double>{0, 5, 6, 0, 2, 3}));
+  EXPECT_EQ(shore->columns, 3);
+  EXPECT_EQ(land->depth, (std::vector<double>{0, 5, 6, -8, 2, 3}));
+  EXPECT_EQ(table->depth, (std::vector<double>{-3, 0, 5, -2, 1, 6}));
+  EXPECT_EQ(table->columns, 3);
+}
+
+TEST(bathymetry_reader, values_that_stand_for_none_are_no_land) {
+  for (const char* value : {"-999", "-9999", "-32768", "9999"}) {
+    const std::string table = std::string("east,north,depth\n0,0,50\n0,20,") + value + "\n20,0,50\n";
+    EXPECT_NE(fault_of_table(table).find("places without data"), std::string::npos) << value;
+  }
+}
+
+TEST(bathymetry_reader, an_area_of_millimetres_is_refused) {
+  const std::string degrees = fault_of_table("east,north,depth\n5.001,60.002,50\n5.005,60.002,51\n5.001,60.006,52\n");
+  EXPECT_NE(degrees.find("an area of 0.004 m by 0.004 m"), std::string::npos) << degrees;
+  EXPECT_NE(degrees.find("longitude and latitude in degrees?"), std::string::npos) << degrees;
+  std::string wide = "ncols 4000\nnrows 2\nxllcorner 5\nyllcorner 60\ncellsize 0.00417\n";
+  for (int i = 0; i < 8000; ++i) wide += "-80 ";
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_ascii_grid(wide, "bed.asc", diagnostics));
+  EXPECT_NE(diagnostics.lines(Severity::error)[0].find("in cells of 4.17 mm"), std::string::npos);
+}
+
+TEST(bathymetry_reader, refuses_grids_that_are_not_whole) {
   const auto refused = [](const std::string& text) {
     Diagnostics diagnostics;
     EXPECT_FALSE(read_ascii_grid(text, "bed.asc", diagnostics).has_value()) << text;
     return diagnostics.has_errors();
   };
   EXPECT_TRUE(refused(kHead + "1 2 3\n4 5\n"));
-  EXPECT_TRUE(refused(kHead + "1 2 3\n4 5 -6\n"));
   EXPECT_TRUE(refused("ncols 3\n1 2 3\n"));
   EXPECT_TRUE(refused(""));
 }

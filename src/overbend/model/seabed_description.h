@@ -27,15 +27,16 @@ enum class SoilModel {
 };
 
 struct SeabedDescription {
-  double stiffness = 0.0;                ///< Normal force per length and penetration [N/m2].
-  double friction_axial = 0.0;           ///< Coulomb coefficient [-].
-  double friction_lateral = 0.0;         ///< Coulomb coefficient [-].
-  double damping = 0.0;                  ///< Normal damping per length on approach [N s/m2].
-  double slope = 0.0;                    ///< Fall of the bed in the direction `slope_towards` [rad].
-  double slope_towards = 0.0;            ///< Azimuth in which the bed falls [rad].
-  std::vector<ProfilePoint> profile;     ///< By increasing x; empty: none.
-  std::string bathymetry_file;           ///< Empty: none.
-  std::optional<Bathymetry> bathymetry;  ///< Its content, when it is there to be read.
+  double stiffness = 0.0;                          ///< Normal force per length and penetration [N/m2].
+  double friction_axial = 0.0;                     ///< Coulomb coefficient [-].
+  double friction_lateral = 0.0;                   ///< Coulomb coefficient [-].
+  double damping = 0.0;                            ///< Normal damping per length on approach [N s/m2].
+  double slope = 0.0;                              ///< Fall of the bed in the direction `slope_towards` [rad].
+  double slope_towards = 0.0;                      ///< Azimuth in which the bed falls [rad].
+  std::vector<ProfilePoint> profile;               ///< By increasing x; empty: none.
+  std::string bathymetry_file;                     ///< Empty: none.
+  double midship_east = 0.0, midship_north = 0.0;  ///< Of midship, in the coordinates of the file [m].
+  std::optional<Bathymetry> bathymetry;            ///< Its content, when it is there to be read.
   SoilModel soil = SoilModel::linear;
   std::optional<double> bearing_force;  ///< Of soil that is not linear: per length, at which it softens [N/m].
 };

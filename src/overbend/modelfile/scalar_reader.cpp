@@ -42,7 +42,8 @@ FieldValue valued(FieldValue::Kind kind, const YamlNode& node) {
 
 /// Beyond it a number is not meant, or not what is kept: whole numbers are exact up to 2^53.
 double largest(const Field& field) {
-  if (field.kind == FieldKind::quantity) return largest_sensible(field.unit);
+  if (field.kind == FieldKind::quantity && !std::isfinite(field.range.high)) return largest_sensible(field.unit);
+  if (field.kind == FieldKind::quantity) return std::max(largest_sensible(field.unit), std::abs(field.range.high));
   return field.kind == FieldKind::integer ? 9e15 : 1e15;
 }
 

@@ -20,4 +20,7 @@ std::optional<std::string> depth_disagrees(double bed_depth, double water_depth)
 /// error, as is one whose depth at the stern shoe is not the water depth.
 void read_bathymetry_file(const FieldValue& root, Description& description, Diagnostics& diagnostics);
 
+/// Warns of a bed that rises astern and leaves the water where a pipe is laid. After the bathymetry was read.
+void check_shore(const FieldValue& root, const Description& description, Diagnostics& diagnostics);
+
 }  // namespace overbend

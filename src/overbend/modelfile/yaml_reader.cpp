@@ -59,6 +59,7 @@ void read_tree(const YamlNode& root, const std::string& path, Files files, Model
   reading.description = bind_model(values, path);
   check_reach(values, *reading.description, reading.diagnostics);
   read_bathymetry_file(values, *reading.description, reading.diagnostics);
+  check_shore(values, *reading.description, reading.diagnostics);
   if (files == Files::all) {
     read_wave_spectrum(reading.description->environment.waves, reading.diagnostics);
     check_sea_over_bed(values, *reading.description, reading.diagnostics);

@@ -50,6 +50,16 @@ bool is_head(const TextRow& row) {
   return true;
 }
 
+/// Land above the water, a depth below 0, is part of a coast; what stands for no value is not.
+void check_depth(double depth, int line, Complaints& complaints) {
+  constexpr double kHighest = 9000.0;
+  constexpr double kNoValues[] = {-999.0, -999.9, -999.25, -9999.0, -32767.0, -32768.0};
+  const bool none = std::ranges::any_of(kNoValues, [&](double value) { return depth == value || depth == -value; });
+  if (!none && depth <= kDeepest && depth >= -kHighest) return;
+  complaints.add(line, "depth", format_number(depth), "a depth of at most " + format_number(kDeepest) + " m",
+                 kNoDataHint);
+}
+
 void take(const TextRow& row, Bathymetry& depths, Complaints& complaints) {
   if (row.cells.size() != 3) {
     complaints.add(row.line, "", std::to_string(row.cells.size()) + " columns", "3, as in the header");
@@ -65,10 +75,7 @@ void take(const TextRow& row, Bathymetry& depths, Complaints& complaints) {
     }
     values[i] = *value;
   }
-  if (values[2] <= 0.0) complaints.add(row.line, "depth", format_number(values[2]), "more than 0");
-  if (values[2] > kDeepest) {
-    complaints.add(row.line, "depth", format_number(values[2]), "at most " + format_number(kDeepest), kNoDataHint);
-  }
+  check_depth(values[2], row.line, complaints);
   depths.east.push_back(values[0]);
   depths.north.push_back(values[1]);
   depths.depth.push_back(values[2]);
@@ -95,10 +102,12 @@ void order_grid(Bathymetry& depths) {
   const std::size_t count = east.size() * north.size();
   if (count != depths.depth.size() || east.size() < 2 || north.size() < 2) return;
   std::vector<double> ordered(count, 0.0);
+  std::vector<bool> filled(count, false);
   for (std::size_t i = 0; i < count; ++i) {
-    double& depth = ordered[place_of(north, depths.north[i]) * east.size() + place_of(east, depths.east[i])];
-    if (depth != 0.0) return;  // twice the same place: some crossing is missing
-    depth = depths.depth[i];
+    const std::size_t at = place_of(north, depths.north[i]) * east.size() + place_of(east, depths.east[i]);
+    if (filled[at]) return;  // twice the same place: some crossing is missing
+    filled[at] = true;
+    ordered[at] = depths.depth[i];
   }
   for (std::size_t i = 0; i < count; ++i) {
     depths.east[i] = east[i % east.size()];
@@ -109,12 +118,35 @@ void order_grid(Bathymetry& depths) {
   depths.rows = static_cast<int>(north.size());
 }
 
-/// Scattered points have to span an area.
+/// Degrees in place of metres: an area of a few millimetres for every metre.
+void check_size(const Bathymetry& depths, Complaints& complaints) {
+  constexpr double kSmallest = 10.0, kFinest = 0.05;  // [m]
+  const auto [west, east] = std::ranges::minmax(depths.east);
+  const auto [south, north] = std::ranges::minmax(depths.north);
+  const double cell = depths.columns > 0 ? (east - west) / (depths.columns - 1) : kSmallest;
+  if (std::max(east - west, north - south) >= kSmallest && cell >= kFinest) return;
+  const bool degrees = std::abs(west) <= 360.0 && std::abs(south) <= 90.0;
+  complaints.add(0, "",
+                 "an area of " + format_number(east - west, 4) + " m by " + format_number(north - south, 4) + " m" +
+                     (depths.columns > 0 ? ", in cells of " + format_quantity(cell, "m", "mm", 3) : std::string()),
+                 "an area in which a pipe can be laid, with places in m",
+                 degrees ? "longitude and latitude in degrees? Project them to metres first" : "");
+}
+
+/// Scattered points have to span an area, which has to have water.
 void check_area(const Bathymetry& depths, Complaints& complaints) {
-  if (!complaints.good || depths.columns > 0) return;
+  if (!complaints.good) return;
+  if (std::ranges::none_of(depths.depth, [](double depth) { return depth > 0.0; })) {
+    complaints.add(0, "", "no depth above 0", "depths below the mean water level, positive downwards",
+                   "heights are taken from an ESRI ASCII grid alone");
+    return;
+  }
+  if (depths.columns > 0) return check_size(depths, complaints);
   if (occurring(depths.east).size() < 2 || occurring(depths.north).size() < 2) {
     complaints.add(0, "", "points on one line", "depths over an area",
                    "a line of depths is environment.seabed.profile");
+  } else {
+    check_size(depths, complaints);
   }
 }
 
@@ -231,14 +263,11 @@ std::optional<Bathymetry> read_ascii_grid(const std::string& text, const std::st
   if (!head) return std::nullopt;
   const std::vector<double> values = grid_values(table, *head, complaints);
   if (!complaints.good) return std::nullopt;
-  const auto lies = [&](double value) { return head->empty(value) || value <= 0.0; };
-  Bathymetry depths = placed(*head, values, std::ranges::all_of(values, lies) ? -1.0 : 1.0);
-  if (std::ranges::any_of(depths.depth, [](double depth) { return depth <= 0.0; })) {
-    complaints.add(0, "", "values of both signs", "depths above 0, or heights below 0");
-  }
-  const auto deepest = std::ranges::max_element(depths.depth);
-  if (deepest != depths.depth.end() && *deepest > kDeepest) {
-    complaints.add(0, "", "a depth of " + format_number(*deepest), "at most " + format_number(kDeepest), kNoDataHint);
+  const auto below = std::ranges::count_if(values, [&](double value) { return !head->empty(value) && value < 0.0; });
+  const auto above = std::ranges::count_if(values, [&](double value) { return !head->empty(value) && value > 0.0; });
+  Bathymetry depths = placed(*head, values, below > above ? -1.0 : 1.0);
+  for (const double depth : depths.depth) {
+    if (complaints.good) check_depth(depth, 0, complaints);
   }
   check_area(depths, complaints);
   return complaints.good ? std::optional(depths) : std::nullopt;

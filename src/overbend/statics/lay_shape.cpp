@@ -141,7 +141,10 @@ LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
     const std::vector<GuidePoint> points = support_points(model, plane, model.mean_pose);
     const FreeSpan span = hang(model, H, bed_z, plane.bed_slope(landing.at()), plane.tensioner_W.z());
     if (span.z.empty() || span.z.back() < bed_z + 0.5 * (plane.tensioner_W.z() - bed_z)) {
-      shape.problem = "the seabed falls away astern faster than the pipe: there is no touchdown";
+      shape.problem = plane.bed_slope(landing.at()) > 0.0
+                          ? "the seabed rises astern so steeply that it meets the pipe before it hangs free: check the "
+                            "slope of the seabed and its direction"
+                          : "the seabed falls away astern faster than the pipe: there is no touchdown";
       return shape;
     }
     const std::size_t last = departure(points, span);

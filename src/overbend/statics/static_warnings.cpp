@@ -163,6 +163,22 @@ void warn_of_structures_beyond(Warnings& list, const Model& model, const StaticR
   const double last = pipe_ends(model.description), end = std::min(results.total_length, last);
   for (const StructureDescription& structure : model.description.pipe.structures) {
     if (!structure.at) continue;
+/// A bed that rises out of the water where the pipe lies on it. Stations run from the anchor.
+void warn_of_land(Warnings& list, const Model& model, const StaticResults& results) {
+  const BedSurface& bed = model.seabed.surface;
+  const auto dry = [&](const Station& station) {
+    return station.s <= results.touchdown.s && bed.height(station.p_W.x(), station.p_W.y()) > 0.0;
+  };
+  const auto landmost = std::find_if(results.stations.rbegin(), results.stations.rend(), dry);
+  if (results.touchdown.s <= 0.0 || landmost == results.stations.rend()) return;
+  const bool whole = bed.height(results.touchdown.p_W.x(), results.touchdown.p_W.y()) > 0.0;
+  list.push_back(
+      fmt::format("the seabed leaves the water under the laid pipe, which {} from {:.1f} m astern of the stern shoe "
+                  "on: is the slope, "
+                  "or the depth of the file, of the right sign?",
+                  whole ? "touches down on land and lies there" : "lies on land", landmost->astern));
+}
+
     const double middle = *structure.at + pipe_gone(model.description), half = 0.5 * structure.length;
     if (middle + half < end) continue;
     list.push_back(fmt::format(
@@ -183,9 +199,10 @@ void warn_of_slope(Warnings& list, const Model& model, const StaticResults& resu
   if (std::abs(fall) <= std::max(friction, 1e-6)) return;
   list.push_back(fmt::format(
       "the laid pipe slides on its bed, which {} astern by {:.3g} deg: axial friction of {:.3g} does not hold it, so "
-      "that its tension depends on where its far end is held (environment.seabed.friction_axial)",
+      "that its tension depends on where its far end is held (environment.seabed.friction.axial)",
       fall > 0.0 ? "falls" : "rises", std::abs(std::atan(fall)) / kDegree, friction));
 }
+  warn_of_land(list, model, results);
 
 /// An equilibrium, but hardly that of the lay that is meant.
 void warn_of_last_resort(Warnings& list, const StaticResults& results) {
