@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <map>
 
 #include "hull/made_radiation.h"
 
@@ -65,7 +66,7 @@ class Writer {
 };
 
 /// The barge's first frequencies, two headings, in Capytaine's convention, and infinite frequency.
-void write_barge(const std::string& path, double density) {
+void write_barge(const std::string& path, double density, const std::map<std::string, std::vector<double>>& more = {}) {
   const HydrodynamicData& data = testing::bgl1_data();
   const std::size_t count = 6, headings = 2;
   const Writer writer(path);
@@ -106,6 +107,15 @@ void write_barge(const std::string& path, double density) {
   writer.numbers("diffraction_force", of_force, {2, count + 1, headings, 6}, force);
   writer.numbers("Froude_Krylov_force", of_force, {2, count + 1, headings, 6}, zero);
   writer.numbers("hydrostatic_stiffness", {"influenced_dof", "radiating_dof"}, {6, 6}, stiffness);
+  for (const auto& [name, values] : more) {
+    const bool matrix = values.size() == 36;
+    writer.numbers(name,
+                   matrix ? std::vector<std::string>{"influenced_dof", "radiating_dof"} : std::vector<std::string>{},
+                   matrix               ? std::vector<std::size_t>{6, 6}
+                   : values.size() == 1 ? std::vector<std::size_t>{}
+                                        : std::vector{values.size()},
+                   values);
+  }
 }
 
 std::string scratch_file() {
@@ -152,6 +162,67 @@ TEST(capytaine_reader, faults_name_what_was_found_and_expected) {
   std::filesystem::remove(source.path);
   EXPECT_FALSE(read_hydrodynamics(source, diagnostics));  // no file at all
   EXPECT_EQ(diagnostics.error_count(), 3);
+}
+
+struct StatedReading {
+  std::optional<HydrodynamicData> data;
+  std::vector<std::string> warnings, errors;
+};
+
+/// The barge's file with more variables, for a model with its centre of gravity at z = 0.818 m in 89 m of water.
+StatedReading read_with(const std::map<std::string, std::vector<double>>& more, HydrodynamicsSource source = {}) {
+  source.path = scratch_file();
+  source.origin_V = Vec3(0.0, 0.0, 0.818);
+  source.water_depth = 89.0;
+  source.mass = 19121.58e3;
+  write_barge(source.path, 1025.0, more);
+  Diagnostics diagnostics;
+  StatedReading reading{read_hydrodynamics(source, diagnostics), {}, {}};
+  std::filesystem::remove(source.path);
+  reading.warnings = diagnostics.lines(Severity::warning);
+  reading.errors = diagnostics.lines(Severity::error);
+  return reading;
+}
+
+TEST(capytaine_reader, values_about_a_rotation_centre_are_moved_to_the_centre_of_gravity) {
+  const HydrodynamicData& given = testing::bgl1_data();
+  const StatedReading same = read_with({{"rotation_center", {0.0, 0.0, 0.818}}, {"center_of_mass", {0.0, 0.0, 0.818}}});
+  ASSERT_TRUE(same.data);
+  EXPECT_FALSE(same.data->file_origin_V);
+  const StatedReading moved = read_with({{"rotation_center", {0.0, 0.0, -5.182}}});
+  ASSERT_TRUE(moved.data);
+  EXPECT_EQ(moved.data->file_origin_V.value(), Vec3(0.0, 0.0, -5.182));
+  // Sway and roll, 6 m above: A44' = A44 + 2 * 6 A24 + 36 A22 with the roll of the new point positive to starboard
+  // down.
+  const Mat6 &a = given.radiation[2].added_mass, &b = moved.data->radiation[2].added_mass;
+  EXPECT_NEAR(b(3, 3), a(3, 3) + 12.0 * a(1, 3) + 36.0 * a(1, 1), 1e-9 * b(3, 3));
+  EXPECT_NEAR(b(1, 3), a(1, 3) + 6.0 * a(1, 1), 1e-9 * std::abs(b(1, 3)));
+  EXPECT_EQ(moved.data->hydrostatic_stiffness(3, 3), given.hydrostatic_stiffness(3, 3));
+}
+
+TEST(capytaine_reader, another_centre_of_mass_than_the_models_is_refused_with_both_points) {
+  const std::map<std::string, std::vector<double>> aft = {{"rotation_center", {-60.0, 0.0, -5.182}},
+                                                          {"center_of_mass", {-60.0, 0.0, -5.0}}};
+  const StatedReading refused = read_with(aft);
+  EXPECT_FALSE(refused.data);
+  ASSERT_EQ(refused.errors.size(), 1U);
+  for (const char* words : {"center_of_mass (-60, 0, -5) m", "rotation_center (-60, 0, -5.182) m", "(0, 0, 0.818) m"}) {
+    EXPECT_NE(refused.errors[0].find(words), std::string::npos) << refused.errors[0];
+  }
+  HydrodynamicsSource source;
+  source.file_origin = Vec3(60.0, 0.0, 5.818);
+  EXPECT_TRUE(read_with(aft, source).data);
+}
+
+TEST(capytaine_reader, a_file_of_another_condition_is_refused_or_warned_of) {
+  EXPECT_NE(read_with({{"forward_speed", {2.0}}}).errors.at(0).find("forward_speed = 2 m/s"), std::string::npos);
+  EXPECT_TRUE(read_with({{"forward_speed", {0.0}}, {"water_depth", {89.0}}}).warnings.empty());
+  EXPECT_NE(read_with({{"water_depth", {400.0}}}).warnings.at(0).find("a water depth of 400 m, the model has 89 m"),
+            std::string::npos);
+  EXPECT_EQ(read_with({{"water_depth", {std::numeric_limits<double>::infinity()}}}).warnings.size(), 1U);
+  std::vector<double> inertia(36, 0.0);
+  for (std::size_t i = 0; i < 6; ++i) inertia[7 * i] = 15e6;
+  EXPECT_NE(read_with({{"inertia_matrix", inertia}}).warnings.at(0).find("a mass of 15000 t"), std::string::npos);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,10 @@ struct HeadingTable {
 
 struct HydrodynamicData {
   std::string source;  ///< Stem or file it was read from.
-  /// Point of the hull that all matrices and forces are about, frame V: given by the model (the centre of gravity,
-  /// where the file's body origin lies). [m]
+  /// Point of the hull that all matrices and forces are about, frame V: the model's centre of gravity [m].
   Vec3 origin_V = Vec3::Zero();
+  /// Point that the file's values are about, where that is another: they were moved from there. Frame V [m].
+  std::optional<Vec3> file_origin_V;
   double water_density = 0.0, gravity = 0.0;  ///< The values were given their dimension with [kg/m3, m/s2].
 
   std::vector<RadiationPoint> radiation;  ///< By ascending, finite and positive frequency.

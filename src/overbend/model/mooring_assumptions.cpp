@@ -37,6 +37,14 @@ void assume_coupled(Sentences& list, const Model& model) {
   list.push_back(hull.ballast == Ballast::trim
                      ? "Ballast: constant forces keep draught, heel and trim as given with lines and pipe attached."
                      : "Ballast: the mass is as given, and the hull sinks under the pull of lines and pipe.");
+  if (hull.data && hull.data->file_origin_V) {
+    const Vec3& p = *hull.data->file_origin_V;
+    list.push_back(
+        fmt::format("The hydrodynamic coefficients are moved from ({:.4g}, {:.4g}, {:.4g}) m, which the file's values "
+                    "are about, to the "
+                    "centre of gravity.",
+                    p.x(), p.y(), p.z()));
+  }
   if (!model.current.z.empty()) list.push_back(current_words(hull.current));
   if (hull.wind.speed <= 0.0) {
     list.push_back("There is no wind.");

@@ -100,7 +100,7 @@ void move_across(RaoTable& raos, double across) {
 }  // namespace
 
 bool RaoTable::one_sided() const {
-  return !headings.empty() && headings.back() <= kPi + kSlack;
+  return !asymmetric && !headings.empty() && headings.back() <= kPi + kSlack;
 }
 
 RaoTable::Response RaoTable::at(double heading, double omega) const {

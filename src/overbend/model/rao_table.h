@@ -29,13 +29,14 @@ struct RaoTable {
   Vec3 wave_origin_V = Vec3::Zero();         ///< Point whose wave crest the phases count from [m].
   std::string source;                        ///< File they were read from.
   bool starboard = false;                    ///< One side only, entered as the mirror image of what the file gives.
+  bool asymmetric = false;                   ///< The file says that the sides are not alike: none is mirrored.
   std::vector<std::string> assumptions;      ///< Assumptions where the file states nothing: sentences for the report.
 
   const std::complex<double>& value(std::size_t heading, std::size_t omega, std::size_t freedom) const {
     return values[(heading * omegas.size() + omega) * 6 + freedom];
   }
 
-  /// True when all headings lie between 0 and 180 deg: the other side is then the mirror image.
+  /// True when all headings lie between 0 and 180 deg and the other side is the mirror image.
   bool one_sided() const;
 
   /// Response at any heading [rad] and frequency [rad/s], interpolated linearly in the complex plane in both.

@@ -84,6 +84,25 @@ std::vector<Field> release() {
   return rows;
 }
 
+/// Points of the files in the vessel's frame.
+void add_file_points(std::vector<Field>& rows, const std::string& convention) {
+  using Source = HydrodynamicsSource;
+  const auto reference = [](Source& source, const FieldValue&) -> Vec3& {
+    return source.reference.emplace(Vec3::Zero());
+  };
+  append(rows, vector_rows({.group = otherwise(group_row(convention + ".reference", opened_by<Source>(reference),
+                                                         "Point that the files' values are about, moments and motions; "
+                                                         "they are moved from there to the centre of gravity."),
+                                               "as stated in the file, otherwise the centre of gravity"),
+                            .shown = kLength,
+                            .texts = vessel_axes_words()}));
+  append(rows, vector_rows({.group = otherwise(group_row(convention + ".file_origin", enters(&Source::file_origin),
+                                                         "Origin of the axes in which a file has its points."),
+                                               "midship on the water line"),
+                            .shown = kLength,
+                            .texts = vessel_axes_words()}));
+}
+
 /// Kept apart from the description, for the reader of the files: modelfile/hull_files.h.
 std::vector<Field> file_convention() {
   using Source = HydrodynamicsSource;
@@ -96,18 +115,28 @@ std::vector<Field> file_convention() {
                   "as_given: the files have headings all round; mirrored: headings that they lack are taken "
                   "from the other side of a symmetric hull.");
   headings.choices = {"as_given", kMirrored};
-  return {group_row(c, read_elsewhere(), "Conventions of the files."),
-          quantity_row(c + ".length_scale", defaults(&Source::length_scale), "ULEN of WAMIT.", kLength,
-                       {.low = 0.0, .high = 1000.0, .low_open = true}),
-          quantity_row(c + ".water_density", defaults(&Source::water_density),
-                       "Density of water by which the files' values get their dimension.", {"kg/m^3", "kg/m^3"},
-                       {.low = 900.0, .high = 1100.0}),
-          quantity_row(c + ".gravity", defaults(&Source::gravity), "Gravity, for the same.", {"m/s^2", "m/s^2"},
-                       {.low = 9.0, .high = 11.0}),
-          headings,
-          quantity_row(c + ".drift_from", defaults(&Source::drift_from),
-                       "Frequency below which the mean drift is set to zero: panel programs give noise there.",
-                       {"rad/s", "rad/s"}, {.low = 0.0, .high = 10.0})};
+  Field frequencies = otherwise(
+      row_of_kind(
+          FieldKind::choice, c + ".frequencies", fills(&Source::frequencies),
+          "First column of WAMIT's files, as IPEROUT has it: periods, rad_per_s, deep_wavenumbers (omega^2 L/g) "
+          "or wavenumbers (k L). In all but periods 0 is zero and -1 infinite frequency."),
+      "periods");
+  std::vector<Field> rows = {
+      group_row(c, read_elsewhere(), "Conventions of the files."),
+      quantity_row(c + ".length_scale", defaults(&Source::length_scale), "ULEN of WAMIT.", kLength,
+                   {.low = 0.0, .high = 1000.0, .low_open = true}),
+      quantity_row(c + ".water_density", defaults(&Source::water_density),
+                   "Density of water by which the files' values get their dimension.", {"kg/m^3", "kg/m^3"},
+                   {.low = 900.0, .high = 1100.0}),
+      quantity_row(c + ".gravity", defaults(&Source::gravity), "Gravity, for the same.", {"m/s^2", "m/s^2"},
+                   {.low = 9.0, .high = 11.0}),
+      headings,
+      frequencies,
+      quantity_row(c + ".drift_from", defaults(&Source::drift_from),
+                   "Frequency below which the mean drift is set to zero: panel programs give noise there.",
+                   {"rad/s", "rad/s"}, {.low = 0.0, .high = 10.0})};
+  add_file_points(rows, c);
+  return rows;
 }
 
 /// `roll: 5 %` of critical damping, or a group of coefficients.

@@ -17,12 +17,14 @@ namespace {
 constexpr double kWidestGap = 46.0 * kDegree;  // headings by 45 deg can be interpolated
 const std::string kHull = "vessel.motion.coupled";
 
-HydrodynamicsSource source_of(const FieldValue& root, const CoupledHullDescription& hull,
-                              const std::string& source_file) {
+HydrodynamicsSource source_of(const FieldValue& root, const Description& description) {
+  const CoupledHullDescription& hull = *description.vessel.coupled;
   HydrodynamicsSource source;
   source.path = hull.hydrodynamics;
   source.origin_V = hull.centre_of_gravity;
   const std::string path = kHull + ".convention";
+  source.mass = hull.mass;
+  source.water_depth = description.environment.water_depth;
   const FieldValue* convention = root.find(path);
   if (convention != nullptr) bind_members(field_node(path), *convention, &source, source_file);
   return source;
@@ -105,7 +107,7 @@ class Judge {
 void read_hull_files(const FieldValue& root, Description& description, Diagnostics& diagnostics) {
   if (!description.vessel.coupled) return;
   CoupledHullDescription& hull = *description.vessel.coupled;
-  hull.data = read_hydrodynamics(source_of(root, hull, description.source_file), diagnostics);
+  hull.data = read_hydrodynamics(source_of(root, description), diagnostics);
   if (hull.data) Judge(root, description, diagnostics).judge(*hull.data);
   if (hull.current.form == HullCurrentForm::table) {
     hull.current.table = read_coefficient_table(hull.current.table_file, diagnostics);

@@ -21,7 +21,9 @@ RaoSettings settings_of(const FieldValue& root, const std::string& source_file) 
 
 void read_motion_file(const FieldValue& root, Description& description, Diagnostics& diagnostics) {
   VesselDescription& vessel = description.vessel;
-  const RaoSettings settings = settings_of(root, description.source_file);
+  RaoSettings settings = settings_of(root, description.source_file);
+  const FieldValue* length = root.find("vessel.length");
+  if (length != nullptr && length->given) settings.vessel_length = vessel.length;
   vessel.motion_reference_V = settings.reference.value_or(Vec3::Zero());
   std::error_code fault;
   if (vessel.motion_file.empty() || !std::filesystem::exists(vessel.motion_file, fault)) return;

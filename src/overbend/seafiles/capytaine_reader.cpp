@@ -4,9 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "seafiles/heading_table_builder.h"
+#include "seafiles/moved_coefficients.h"
 #include "seafiles/netcdf_arrays.h"
 
 namespace overbend {
@@ -16,9 +18,9 @@ constexpr const char* kModes[] = {"surge", "sway", "heave", "roll", "pitch", "ya
 
 /// What was found in place of what; one per file, for a fault ends the reading.
 struct Fault : std::runtime_error {
-  Fault(std::string found_, std::string expected_)
-      : std::runtime_error(found_), found(std::move(found_)), expected(std::move(expected_)) {}
-  std::string found, expected;
+  Fault(std::string found_, std::string expected_, std::string hint_ = {})
+      : std::runtime_error(found_), found(std::move(found_)), expected(std::move(expected_)), hint(std::move(hint_)) {}
+  std::string found, expected, hint;
 };
 
 /// A variable that is read by the names of its dimensions, in whatever order they stand.
@@ -106,10 +108,28 @@ void check_constant(const NetcdfFile& file, const std::string& name, double expe
   }
 }
 
+constexpr double kSameDepth = 0.05, kSameMass = 0.02;  // relative
+constexpr double kSamePoint = 0.05;                    // [m]
+
+/// A variable of one number.
+std::optional<double> single(const NetcdfFile& file, const std::string& name) {
+  const auto array = file.numbers(name);
+  return array && array->values.size() == 1 ? std::optional(array->values[0]) : std::nullopt;
+}
+
+/// A variable of three finite numbers.
+std::optional<Vec3> point(const NetcdfFile& file, const std::string& name) {
+  const auto array = file.numbers(name);
+  if (!array || array->values.size() != 3) return std::nullopt;
+  const Vec3 p(array->values[0], array->values[1], array->values[2]);
+  return p.allFinite() ? std::optional(p) : std::nullopt;
+}
+
 class CapytaineReader {
  public:
-  explicit CapytaineReader(const HydrodynamicsSource& source)
+  CapytaineReader(const HydrodynamicsSource& source, Diagnostics& diagnostics)
       : source_(source),
+        diagnostics_(diagnostics),
         file_(source.path),
         omega_(needed(file_, "omega").values),
         radiating_(modes_of(file_, "radiating_dof")),
@@ -122,13 +142,77 @@ class CapytaineReader {
     data_.origin_V = source_.origin_V;
     data_.water_density = source_.water_density;
     data_.gravity = source_.gravity;
+    check_condition();
     read_radiation();
     read_excitation();
     read_hydrostatics();
+    refer_to_centre_of_gravity();
     return std::move(data_);
   }
 
  private:
+  /// The state of water and hull that the file says it is for.
+  void check_condition() {
+    if (const auto speed = single(file_, "forward_speed"); speed && std::abs(*speed) > 1e-6) {
+      throw Fault("forward_speed = " + format_number(*speed) + " m/s", "a hull without forward speed");
+    }
+    const auto depth = single(file_, "water_depth");
+    if (depth && source_.water_depth > 0.0 && !deep(*depth, source_.water_depth) &&
+        std::abs(*depth / source_.water_depth - 1.0) > kSameDepth) {
+      warn("the file is for a water depth of " + format_number(*depth) + " m, the model has " +
+           format_number(source_.water_depth) + " m: long waves move the hull otherwise");
+    }
+    check_mass();
+  }
+
+  void check_mass() {
+    const auto heave = std::find(influenced_.begin(), influenced_.end(), 2);
+    if (source_.mass <= 0.0 || heave == influenced_.end() || !file_.numbers("inertia_matrix")) return;
+    const Variable inertia = variable(file_, "inertia_matrix", {"influenced_dof", "radiating_dof"});
+    const auto row = static_cast<std::size_t>(heave - influenced_.begin());
+    const auto column =
+        static_cast<std::size_t>(std::find(radiating_.begin(), radiating_.end(), 2) - radiating_.begin());
+    if (column == radiating_.size()) return;
+    const double mass = inertia.at({row, column});
+    if (std::isfinite(mass) && std::abs(mass / source_.mass - 1.0) > kSameMass) {
+      warn("the file is for a mass of " + format_quantity(mass, "kg", "t") + ", the model has " +
+           format_quantity(source_.mass, "kg", "t"));
+    }
+  }
+
+  void warn(std::string remark) {
+    diagnostics_.add({Severity::warning, source_.path, 0, 0, "", std::move(remark), "", ""});
+  }
+
+  /// Both so deep that long waves of a sea do not feel the bottom.
+  static bool deep(double a, double b) {
+    constexpr double kLongestWave = 2.0 * kPi / 20.0;  // [rad/s]
+    return std::min(a, b) * kLongestWave * kLongestWave / 9.81 > kPi;
+  }
+
+  /// Moves values about a rotation centre to the centre of gravity of the model. The stiffness contains the weight at
+  /// the file's centre of mass, which therefore has to be the model's.
+  void refer_to_centre_of_gravity() {
+    const auto rotation = point(file_, "rotation_center"), mass = point(file_, "center_of_mass");
+    const Vec3& gravity = source_.origin_V;
+    if (mass && (source_.file_origin + *mass - gravity).norm() > kSamePoint) {
+      throw Fault("center_of_mass " + words(*mass) + (rotation ? " and rotation_center " + words(*rotation) : "") +
+                      " in the axes of the file, whose origin is at " + words(source_.file_origin) + " of the vessel",
+                  "the model's centre_of_gravity, " + words(gravity) + ": the file's stiffness has the weight there",
+                  "where the file has another origin, convention.file_origin says where it is");
+    }
+    if (!rotation && !source_.reference) return;
+    const Vec3 reference = source_.reference ? *source_.reference : Vec3(source_.file_origin + *rotation);
+    if ((reference - gravity).norm() < kSamePoint && (gravity - source_.file_origin).head<2>().norm() < kSamePoint) {
+      return;
+    }
+    move_coefficients(data_, {reference, source_.file_origin}, source_.water_depth);
+  }
+
+  static std::string words(const Vec3& p) {
+    return "(" + format_number(p.x()) + ", " + format_number(p.y()) + ", " + format_number(p.z()) + ") m";
+  }
+
   void read_radiation() {
     const std::vector<std::string> dimensions = {"omega", "radiating_dof", "influenced_dof"};
     const Variable mass = variable(file_, "added_mass", dimensions);
@@ -225,6 +309,7 @@ class CapytaineReader {
   }
 
   const HydrodynamicsSource& source_;
+  Diagnostics& diagnostics_;
   NetcdfFile file_;
   std::vector<double> omega_;
   std::vector<int> radiating_, influenced_;
@@ -234,14 +319,14 @@ class CapytaineReader {
 }  // namespace
 
 std::optional<HydrodynamicData> read_capytaine(const HydrodynamicsSource& source, Diagnostics& diagnostics) {
-  const auto refuse = [&](const std::string& found, const std::string& expected) {
-    diagnostics.add({Severity::error, source.path, 0, 0, "", found, expected, ""});
+  const auto refuse = [&](const std::string& found, const std::string& expected, const std::string& hint = {}) {
+    diagnostics.add({Severity::error, source.path, 0, 0, "", found, expected, hint});
     return std::nullopt;
   };
   try {
-    return CapytaineReader(source).read();
+    return CapytaineReader(source, diagnostics).read();
   } catch (const Fault& fault) {
-    return refuse(fault.found, fault.expected);
+    return refuse(fault.found, fault.expected, fault.hint);
   } catch (const std::runtime_error& fault) {
     return refuse(fault.what(), "a netCDF file of Capytaine");
   }

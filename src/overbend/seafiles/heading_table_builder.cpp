@@ -11,7 +11,8 @@ namespace overbend {
 namespace {
 
 constexpr double kSameHeading = 1e-6;  // [rad]
-constexpr double kSameValue = 1e-4;    // of the mode's largest: files print six digits
+constexpr double kSameValue = 1e-4;    // of the largest force or moment: files print six digits
+constexpr double kSameSide = 2e-2;     // likewise, of both sides: panel meshes are not quite symmetric
 constexpr std::array<double, 6> kMirrored = {1.0, -1.0, 1.0, -1.0, 1.0, -1.0};
 
 double wrapped(double heading) {
@@ -43,14 +44,27 @@ void HeadingTableBuilder::add(double omega, double heading, int mode, std::compl
   entries_.push_back({omega, wrapped(heading), mode, value});
 }
 
-std::optional<HeadingTableBuilder::Built> HeadingTableBuilder::build(bool mirror, std::string& fault) const {
+Vec6 HeadingTableBuilder::tolerances(double of_mode, double of_kind) const {
+  Vec6 largest = Vec6::Zero();
+  for (const Entry& entry : entries_) largest(entry.mode) = std::max(largest(entry.mode), std::abs(entry.value));
+  const double force = largest.head<3>().maxCoeff(), moment = largest.tail<3>().maxCoeff();
+  Vec6 tolerance = of_mode * largest;
+  tolerance.head<3>() = tolerance.head<3>().cwiseMax(of_kind * force);
+  tolerance.tail<3>() = tolerance.tail<3>().cwiseMax(of_kind * moment);
+  return tolerance;
+}
+
+std::vector<HeadingTableBuilder::Entry> HeadingTableBuilder::with_other_side() const {
   std::vector<Entry> entries = entries_;
-  if (mirror) {
-    for (const Entry& entry : entries_) {
-      const double sign = kMirrored[static_cast<std::size_t>(entry.mode)];
-      entries.push_back({entry.omega, wrapped(-entry.heading), entry.mode, sign * entry.value});
-    }
+  for (const Entry& entry : entries_) {
+    const double sign = kMirrored[static_cast<std::size_t>(entry.mode)];
+    entries.push_back({entry.omega, wrapped(-entry.heading), entry.mode, sign * entry.value, true});
   }
+  return entries;
+}
+
+std::optional<HeadingTableBuilder::Built> HeadingTableBuilder::build(bool mirror, std::string& fault) const {
+  const std::vector<Entry> entries = mirror ? with_other_side() : entries_;
   Built built;
   for (const Entry& entry : entries) {
     built.table.omega.push_back(entry.omega);
@@ -59,24 +73,30 @@ std::optional<HeadingTableBuilder::Built> HeadingTableBuilder::build(bool mirror
   built.table.omega = distinct(std::move(built.table.omega), 0.0);
   built.table.heading = distinct(std::move(built.table.heading), kSameHeading);
   built.values.assign(built.table.omega.size() * built.table.heading.size(), CVec6::Zero());
-  Vec6 largest = Vec6::Zero();
-  for (const Entry& entry : entries) {
-    largest(entry.mode) = std::max(largest(entry.mode), std::abs(entry.value));
-  }
-  std::vector<std::array<bool, 6>> given(built.values.size(), std::array<bool, 6>{});
+  const Vec6 repeated = tolerances(kSameValue, kSameValue), alike = tolerances(kSameSide, kSameValue);
+  std::vector<std::array<bool, 6>> given(built.values.size(), std::array<bool, 6>{}), mirrored = given;
   std::array<bool, 6> any{};
   for (const Entry& entry : entries) {
     const std::size_t at = built.table.index(place(built.table.omega, entry.omega, 0.0),
                                              place(built.table.heading, entry.heading, kSameHeading));
     const auto mode = static_cast<std::size_t>(entry.mode);
-    if (given[at][mode] && std::abs(built.values[at](entry.mode) - entry.value) > kSameValue * largest(entry.mode)) {
-      fault = "two different values at " + words(entry.omega, entry.heading) + ", mode " + std::to_string(mode + 1);
+    std::complex<double>& value = built.values[at](entry.mode);
+    const double difference = given[at][mode] ? std::abs(value - entry.value) : 0.0;
+    if (difference > (entry.image ? alike : repeated)(entry.mode)) {
+      fault = (entry.image ? "a hull that is not symmetric, as headings: mirrored has it, but differs by " +
+                                 format_number(100.0 * difference / (alike(entry.mode) / kSameSide), 2) +
+                                 " % of the largest value from its mirror image at "
+                           : "two different values at ") +
+              words(entry.omega, entry.heading) + ", mode " + std::to_string(mode + 1);
       return std::nullopt;
     }
     if (!given[at][mode]) {
-      built.values[at](entry.mode) = entry.value;
+      value = entry.value;
+    } else if (entry.image && !mirrored[at][mode]) {
+      value = 0.5 * (value + entry.value);  // the mean of both sides: what is odd vanishes on the centreline
     }
     given[at][mode] = any[mode] = true;
+    mirrored[at][mode] = entry.image;
   }
   for (std::size_t i = 0; i < built.table.omega.size(); ++i) {
     for (std::size_t j = 0; j < built.table.heading.size(); ++j) {

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "seafiles/capytaine_reader.h"
+#include "seafiles/moved_coefficients.h"
 #include "seafiles/wamit_radiation.h"
 #include "seafiles/wamit_waves.h"
 
@@ -39,10 +40,23 @@ std::optional<HydrodynamicData> read_wamit(const HydrodynamicsSource& source, Di
   if (is_file(drift)) {
     good = wamit::read_drift(drift, source, data, diagnostics) && good;
   }
-  return good ? std::optional(std::move(data)) : std::nullopt;
+  if (!good) return std::nullopt;
+  if (source.reference) move_coefficients(data, {*source.reference, *source.reference}, source.water_depth);
+  return data;
 }
 
 }  // namespace
+
+WaveColumnSettings wave_column(const HydrodynamicsSource& source) {
+  return {source.frequencies, source.length_scale, source.gravity, source.water_depth};
+}
+
+bool check_wave_column(const HydrodynamicsSource& source, const std::vector<double>& values, const std::string& file,
+                       Diagnostics& diagnostics) {
+  const int errors = diagnostics.error_count();
+  check_column(wave_column(source), values, file, "vessel.motion.coupled.convention.frequencies", diagnostics);
+  return diagnostics.error_count() == errors;
+}
 
 std::string hydrodynamics_stem(const std::string& path) {
   for (const char* ending : {".1", ".2", ".3", ".4", ".7", ".8", ".9", ".hst"}) {

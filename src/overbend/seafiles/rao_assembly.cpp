@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/constants.h"
+#include "seafiles/rao_symmetry.h"
 
 namespace overbend {
 namespace {
@@ -31,9 +32,13 @@ std::size_t nearest(const std::vector<double>& axis, double value) {
 
 class Assembly {
  public:
-  Assembly(const std::vector<RaoRecord>& records, const RaoTranslation& translation, const std::string& file,
+  Assembly(const rao_formats::RaoFile& content, const RaoTranslation& translation, const std::string& file,
            Diagnostics& diagnostics)
-      : records_(records), translation_(translation), file_(file), diagnostics_(diagnostics) {}
+      : records_(content.records),
+        symmetry_(content.symmetry),
+        translation_(translation),
+        file_(file),
+        diagnostics_(diagnostics) {}
 
   std::optional<RaoTable> run() {
     if (records_.empty()) {
@@ -52,9 +57,11 @@ class Assembly {
     for (const RaoRecord& record : records_) enter(record);
     find_gaps();
     if (complaints_ > 0) return std::nullopt;
-    remark_on_headings();
     table_.source = file_;
     table_.starboard = mirrored_;
+    table_.asymmetric = !sides_alike();
+    complete_by_symmetry(table_, symmetry_);
+    remark_on_headings();
     return std::move(table_);
   }
 
@@ -72,12 +79,17 @@ class Assembly {
     const double highest = *std::max_element(omegas.begin(), omegas.end());
     table_.omegas = axis_of(std::move(omegas), 1e-7 * highest);
     const auto starboard = [](double h) { return h == 0.0 || h >= kPi - 1e-7; };
-    mirrored_ = std::all_of(headings.begin(), headings.end(), starboard) &&
+    mirrored_ = sides_alike() && std::all_of(headings.begin(), headings.end(), starboard) &&
                 std::any_of(headings.begin(), headings.end(), [](double h) { return h > kPi + 1e-7; });
     if (mirrored_) {
       for (double& h : headings) h = image(h);
     }
     table_.headings = axis_of(std::move(headings), 1e-7);
+  }
+
+  bool sides_alike() const {
+    return symmetry_ == RaoSymmetry::unstated || symmetry_ == RaoSymmetry::port_starboard ||
+           symmetry_ == RaoSymmetry::quarters;
   }
 
   static double image(double heading) { return heading == 0.0 ? 0.0 : 2.0 * kPi - heading; }
@@ -127,19 +139,26 @@ class Assembly {
     double widest = one_sided ? 2.0 * std::max(h.front(), kPi - h.back()) : h.front() + 2.0 * kPi - h.back();
     for (std::size_t i = 1; i < h.size(); ++i) widest = std::max(widest, h[i] - h[i - 1]);
     if (one_sided) {
-      table_.assumptions.push_back(fmt::format(
-          "The RAOs of {} cover one side of the vessel; the other is assumed to be its mirror image.", file_));
+      const bool stated = symmetry_ != RaoSymmetry::unstated;
+      table_.assumptions.push_back(
+          fmt::format("The RAOs of {} cover one side of the vessel; the other is {} its mirror image.", file_,
+                      stated ? "by their own statement" : "assumed to be"));
     }
     if (widest * kToDegrees > 45.1) {
       diagnostics_.add({Severity::warning, file_, 0, 0, "",
                         fmt::format("neighbouring headings are {:.4g} deg apart; between them responses are "
-                                    "interpolated linearly",
-                                    widest * kToDegrees),
+                                    "interpolated linearly{}",
+                                    widest * kToDegrees, gap_words()),
                         "", ""});
     }
   }
 
+  const char* gap_words() const {
+    return table_.asymmetric ? ", for the file says that its sides are not alike (Symmetry): nothing is mirrored" : "";
+  }
+
   const std::vector<RaoRecord>& records_;
+  RaoSymmetry symmetry_;
   const RaoTranslation& translation_;
   std::string file_;
   Diagnostics& diagnostics_;
@@ -151,9 +170,9 @@ class Assembly {
 
 }  // namespace
 
-std::optional<RaoTable> assemble_raos(const std::vector<RaoRecord>& records, const RaoTranslation& translation,
+std::optional<RaoTable> assemble_raos(const rao_formats::RaoFile& content, const RaoTranslation& translation,
                                       const std::string& file, Diagnostics& diagnostics) {
-  return Assembly(records, translation, file, diagnostics).run();
+  return Assembly(content, translation, file, diagnostics).run();
 }
 
 }  // namespace overbend

@@ -8,14 +8,15 @@
 #include "base/diagnostics.h"
 #include "model/rao_table.h"
 #include "seafiles/rao_convention.h"
+#include "seafiles/rao_formats.h"
 
 namespace overbend {
 
 /// Sorts records into a table of all headings and frequencies. Every degree of freedom in the file must be given once
-/// for each pair (headings 0 and 360 deg may both be given if they agree); others are zero and become an assumption. A
-/// file of the starboard side alone (180 to 360 deg) is mirrored. Points are left to the caller. Faults go to
-/// `diagnostics`, and nothing is returned.
-std::optional<RaoTable> assemble_raos(const std::vector<RaoRecord>& records, const RaoTranslation& translation,
+/// for each pair (headings 0 and 360 deg may both be given if they agree); others are zero and become an assumption.
+/// Headings are completed by the symmetry that the file states; a file of the starboard side alone (180 to 360 deg) is
+/// mirrored. Points are left to the caller. Errors go to `diagnostics`, and nothing is returned.
+std::optional<RaoTable> assemble_raos(const rao_formats::RaoFile& content, const RaoTranslation& translation,
                                       const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace overbend

@@ -6,6 +6,7 @@
 #include "base/require.h"
 #include "model/rao_table.h"
 #include "model/wave_theory.h"
+#include "seafiles/wave_column.h"
 
 namespace overbend {
 namespace {
@@ -43,6 +44,10 @@ const std::vector<ConventionKey>& convention_keys() {
        "Unit of roll, pitch and yaw: per wave amplitude, per greatest slope (k a; in the angle's own unit) or per "
        "steepness (height over length).",
        {"deg_per_m", "rad_per_m", "per_slope", "rad_per_steepness", "deg_per_steepness"}},
+      {"frequencies",
+       "First column of a WAMIT file, as IPEROUT has it: periods, rad_per_s, deep_wavenumbers (omega^2 L/g) or "
+       "wavenumbers (k L).",
+       words_of<WaveColumn>()},
       {"positive.surge", "Positive surge.", {"forward", "aft"}},
       {"positive.sway", "Positive sway.", {"port", "starboard"}},
       {"positive.heave", "Positive heave.", {"up", "down"}},

@@ -30,6 +30,16 @@ std::vector<std::string> convention_sets();
 /// All keys of a named set; that of the house where the name is unknown.
 ConventionWords convention_set(const std::string& name);
 
+/// What a file says of its vessel's symmetry.
+enum class RaoSymmetry {
+  unstated,        ///< One side stands for the other where there is only one.
+  none,            ///< No heading stands for another.
+  port_starboard,  ///< OrcaFlex: xz plane.
+  fore_aft,        ///< yz plane.
+  quarters,        ///< Both planes.
+  circular         ///< One heading stands for all.
+};
+
 /// Statements about a file, by the file or by the user. Points in frame V [m] unless a reader says otherwise.
 struct RaoSettings {
   std::string set;        ///< Named set; empty: that of the file's type.
@@ -38,6 +48,7 @@ struct RaoSettings {
   Vec3 file_origin = Vec3::Zero();  ///< Origin of the axes in which the file itself places its points, frame V.
   bool file_origin_stated = false;
   double length_scale = 1.0;         ///< ULEN of WAMIT [m].
+  double vessel_length = 0.0;        ///< Of the model, to compare with that of the file; 0: not known [m].
   std::string vessel_type, draught;  ///< By name, where a file holds several.
 };
 

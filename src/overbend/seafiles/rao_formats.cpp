@@ -173,10 +173,12 @@ RaoFile read_csv(const std::string& text, const std::string& file, Diagnostics& 
   return content;
 }
 
-RaoFile read_wamit(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
+RaoFile read_wamit(const std::string& text, const std::string& file, const WaveColumnSettings& column,
+                   Diagnostics& diagnostics) {
   TableFaults faults(file, diagnostics);
   const TextTable table = split_table(text, ' ');
   RaoFile content;
+  std::vector<double> first_column;
   for (std::size_t i = 0; i < table.rows.size() && !faults.full(); ++i) {
     const TextRow& row = table.rows[i];
     if (i == 0 && !cell_number(row.cells[0])) continue;  // there may be a header line above the numbers
@@ -194,9 +196,11 @@ RaoFile read_wamit(const std::string& text, const std::string& file, Diagnostics
     }
     if (!period || !heading || !amplitude || !phase || freedom < 0) continue;
     if (*period <= 0.0 || !amplitude_is_right(*amplitude, row.line, faults)) continue;
+    first_column.push_back(*period);
     content.records.push_back(
-        {*heading * kDegree, 2.0 * kPi / *period, freedom, *amplitude, *phase * kDegree, row.line});
+        {*heading * kDegree, column_frequency(column, *period), freedom, *amplitude, *phase * kDegree, row.line});
   }
+  check_column(column, first_column, file, "vessel.motion.convention.frequencies", diagnostics);
   return content;
 }
 

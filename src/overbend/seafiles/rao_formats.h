@@ -6,6 +6,7 @@
 
 #include "base/diagnostics.h"
 #include "seafiles/rao_convention.h"
+#include "seafiles/wave_column.h"
 
 namespace overbend::rao_formats {
 
@@ -13,11 +14,13 @@ namespace overbend::rao_formats {
 struct RaoFile {
   std::vector<RaoRecord> records;
   RaoSettings stated;
+  RaoSymmetry symmetry = RaoSymmetry::unstated;
 };
 
 /// Each takes the file's text; faults go to `diagnostics`. `given` chooses among several vessel types and draughts.
 RaoFile read_csv(const std::string& text, const std::string& file, Diagnostics& diagnostics);
-RaoFile read_wamit(const std::string& text, const std::string& file, Diagnostics& diagnostics);
+RaoFile read_wamit(const std::string& text, const std::string& file, const WaveColumnSettings& column,
+                   Diagnostics& diagnostics);
 RaoFile read_orcaflex(const std::string& text, const std::string& file, const RaoSettings& given,
                       Diagnostics& diagnostics);
 

@@ -5,6 +5,7 @@
 
 #include "base/constants.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "base/yaml_document.h"
 #include "model/rao_table.h"
 #include "seafiles/rao_formats.h"
@@ -45,6 +46,8 @@ const std::vector<Setting>& settings() {
   };
   return kSettings;
 }
+
+constexpr double kSameLength = 0.02;
 
 class OrcaFlexReader {
  public:
@@ -131,8 +134,50 @@ class OrcaFlexReader {
     }
     wave_ = word(type, "WavesReferredToBy", {"period (s)", "frequency (rad/s)", "frequency (Hz)"});
     phase_unit_ = word(type, "RAOPhaseUnitsConvention", {"degrees", "radians"}) == "radians" ? 1.0 : kPi / 180.0;
-    word(type, "Symmetry", {"None", "xz plane"});
+    read_symmetry(type);
+    check_length(type);
     read_rotation(type);
+  }
+
+  void read_symmetry(const YamlNode& type) {
+    static const std::vector<std::pair<std::string, RaoSymmetry>> kKnown = {{"None", RaoSymmetry::none},
+                                                                            {"xz plane", RaoSymmetry::port_starboard},
+                                                                            {"yz plane", RaoSymmetry::fore_aft},
+                                                                            {"xz and yz planes", RaoSymmetry::quarters},
+                                                                            {"circular", RaoSymmetry::circular}};
+    if (member(type, "Symmetry") == nullptr) return;
+    std::vector<std::string> names;
+    for (const auto& [name, symmetry] : kKnown) names.push_back(name);
+    const std::string stated = word(type, "Symmetry", names);
+    for (const auto& [name, symmetry] : kKnown) {
+      if (name == stated) content_.symmetry = symmetry;
+    }
+  }
+
+  /// RAOs are of a vessel of one size.
+  void check_length(const YamlNode& type) {
+    const YamlNode* node = member(type, "Length");
+    const std::optional<double> length = node != nullptr ? scalar(*node) : std::nullopt;
+    if (!length || *length <= 0.0 || given_.vessel_length <= 0.0) return;
+    if (std::abs(*length / given_.vessel_length - 1.0) <= kSameLength) return;
+    diagnostics_.add({Severity::warning, file_, node->line, 0, "Length",
+                      "the vessel of the RAOs is " + format_number(*length) + " m long and that of the model " +
+                          format_number(given_.vessel_length) + " m; the RAOs are used as they are",
+                      "", ""});
+  }
+
+  /// The symmetry of motions about a point holds for points on the planes and axes of symmetry alone.
+  void check_points(const YamlNode& raos) {
+    const bool in_length = content_.symmetry == RaoSymmetry::fore_aft || content_.symmetry == RaoSymmetry::quarters ||
+                           content_.symmetry == RaoSymmetry::circular;
+    for (const auto& [key, p] :
+         {std::pair{"RAOOrigin", content_.stated.reference}, std::pair{"PhaseOrigin", content_.stated.wave_origin}}) {
+      if (!p || !in_length) continue;
+      const bool across = content_.symmetry == RaoSymmetry::circular && p->y() != 0.0;
+      if (p->x() == 0.0 && !across) continue;
+      complain(raos.line, key, "a point off the plane or axis of Symmetry",
+               "x of 0" + std::string(across ? ", y of 0" : ""), "save RAOs for all headings with Symmetry: None");
+    }
   }
 
   void read_rotation(const YamlNode& type) {
@@ -157,6 +202,7 @@ class OrcaFlexReader {
     if (!content_.stated.reference && !diagnostics_.has_errors()) content_.stated.reference = Vec3::Zero();
     content_.stated.wave_origin = point(raos, "PhaseOrigin");
     if (!content_.stated.wave_origin) content_.stated.wave_origin = content_.stated.reference;
+    check_points(raos);
   }
 
   /// `[x, y, z]`; nothing when it is absent or left to its default by '~'.

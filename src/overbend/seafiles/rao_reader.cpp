@@ -49,6 +49,15 @@ void place_points(RaoTable& table, const std::string& set, const RaoSettings& st
   }
 }
 
+WaveColumnSettings column(const RaoSettings& given, double depth) {
+  const auto word = given.words.find("frequencies");
+  WaveColumnSettings settings;
+  if (word != given.words.end()) settings.stated = from_word<WaveColumn>(word->second);
+  settings.length_scale = given.length_scale;
+  settings.depth = depth;
+  return settings;
+}
+
 /// The mirror image of one side is that of the other only for points on the centreline.
 RaoTable sides_alike(RaoTable table, double depth) {
   const double reference = table.reference_V.y(), origin = table.wave_origin_V.y();
@@ -76,15 +85,16 @@ std::optional<RaoTable> read_raos(const std::string& file, const RaoSettings& gi
   const std::optional<std::string> text = read_text_file(file, diagnostics);
   if (!text) return std::nullopt;
   Diagnostics faults;
-  const rao_formats::RaoFile content = orcaflex         ? rao_formats::read_orcaflex(*text, file, given, faults)
-                                       : ending == ".4" ? rao_formats::read_wamit(*text, file, faults)
-                                                        : rao_formats::read_csv(*text, file, faults);
+  const rao_formats::RaoFile content = orcaflex ? rao_formats::read_orcaflex(*text, file, given, faults)
+                                       : ending == ".4"
+                                           ? rao_formats::read_wamit(*text, file, column(given, depth), faults)
+                                           : rao_formats::read_csv(*text, file, faults);
   for (const Diagnostic& fault : faults.sorted()) diagnostics.add(fault);
   if (faults.has_errors()) return std::nullopt;
   const std::string type_set = orcaflex ? "orcaflex" : ending == ".4" ? "wamit" : "house";
   const std::string set = given.set.empty() ? type_set : given.set;
   const RaoTranslation translation(settle(set, content.stated, given), given.length_scale, depth);
-  std::optional<RaoTable> table = assemble_raos(content.records, translation, file, diagnostics);
+  std::optional<RaoTable> table = assemble_raos(content, translation, file, diagnostics);
   if (!table) return std::nullopt;
   place_points(*table, set, content.stated, given);
   return sides_alike(std::move(*table), depth);

@@ -60,6 +60,12 @@ std::optional<Table> read_table(const std::string& file, std::size_t least, std:
   return table;
 }
 
+std::vector<double> first_column(const Table& table) {
+  std::vector<double> values;
+  for (const Row& row : table.rows) values.push_back(row.values[0]);
+  return values;
+}
+
 int mode_index(double number) {
   const int mode = number >= 1.0 && number <= 6.0 ? static_cast<int>(number) : 0;
   return static_cast<double>(mode) == number ? mode - 1 : -1;

@@ -27,6 +27,9 @@ struct Table {
 /// for a bad file, and nothing is returned.
 std::optional<Table> read_table(const std::string& file, std::size_t least, std::size_t most, Diagnostics& diagnostics);
 
+/// Its first column.
+std::vector<double> first_column(const Table& table);
+
 /// A mode, 1 surge to 6 yaw, as index 0 to 5; -1 where the number is none.
 int mode_index(double number);
 

@@ -17,10 +17,10 @@ bool refuse(const std::string& file, int line, std::string found, std::string ex
 }
 
 /// What both kinds of file promise of a row; `modes` is the column of the mode.
-bool check_row(const Table& table, const Row& row, std::size_t mode_column, Diagnostics& diagnostics) {
+bool check_row(const Table& table, const Row& row, std::size_t mode_column, const HydrodynamicsSource& source,
+               Diagnostics& diagnostics) {
   if (row.values[0] <= 0.0) {
-    return refuse(table.file, row.line, "the period " + format_number(row.values[0]), "a period above 0 s",
-                  diagnostics);
+    return refuse(table.file, row.line, column_words(wave_column(source), row.values[0]), "more than 0", diagnostics);
   }
   for (std::size_t k = 1; k < mode_column; ++k) {
     if (std::abs(row.values[k]) > 360.0) {
@@ -50,18 +50,18 @@ std::optional<HeadingTableBuilder::Built> build(const HeadingTableBuilder& value
 bool read_excitation(const std::string& file, const HydrodynamicsSource& source, HydrodynamicData& data,
                      Diagnostics& diagnostics) {
   const std::optional<Table> table = read_table(file, 7, 7, diagnostics);
-  if (!table) {
+  if (!table || !check_wave_column(source, first_column(*table), file, diagnostics)) {
     return false;
   }
   HeadingTableBuilder values;
   const double unit = source.water_density * source.gravity * std::pow(source.length_scale, 2);
   for (const Row& row : table->rows) {
-    if (!check_row(*table, row, 2, diagnostics)) {
+    if (!check_row(*table, row, 2, source, diagnostics)) {
       return false;
     }
     const int mode = mode_index(std::abs(row.values[2]));
     const double arm = mode > 2 ? source.length_scale : 1.0;
-    values.add(2.0 * kPi / row.values[0], row.values[1] * kDegree, mode,
+    values.add(column_frequency(wave_column(source), row.values[0]), row.values[1] * kDegree, mode,
                unit * arm * std::complex<double>(row.values[5], row.values[6]));
   }
   auto built = build(values, file, source, diagnostics);
@@ -75,13 +75,13 @@ bool read_excitation(const std::string& file, const HydrodynamicsSource& source,
 bool read_drift(const std::string& file, const HydrodynamicsSource& source, HydrodynamicData& data,
                 Diagnostics& diagnostics) {
   const std::optional<Table> table = read_table(file, 8, 8, diagnostics);
-  if (!table) {
+  if (!table || !check_wave_column(source, first_column(*table), file, diagnostics)) {
     return false;
   }
   HeadingTableBuilder values;
   const double unit = source.water_density * source.gravity * source.length_scale;
   for (const Row& row : table->rows) {
-    if (!check_row(*table, row, 3, diagnostics)) {
+    if (!check_row(*table, row, 3, source, diagnostics)) {
       return false;
     }
     const int mode = mode_index(std::abs(row.values[3]));
@@ -89,7 +89,7 @@ bool read_drift(const std::string& file, const HydrodynamicsSource& source, Hydr
     if (!horizontal || std::abs(row.values[1] - row.values[2]) > 1e-6) {
       continue;
     }
-    const double omega = 2.0 * kPi / row.values[0];
+    const double omega = column_frequency(wave_column(source), row.values[0]);
     const double arm = mode > 2 ? source.length_scale : 1.0;
     const double force = omega < source.drift_from ? 0.0 : unit * arm * row.values[6];
     values.add(omega, row.values[1] * kDegree, mode, force);
