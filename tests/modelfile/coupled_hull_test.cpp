@@ -182,5 +182,69 @@ TEST(coupled_hull, every_slip_is_told_once_with_key_and_remedy) {
   for (const ModelSlip& slip : slips) expect_told(good, slip);
 }
 
+struct Doubt {
+  const char* claim;
+  std::string find, replace;
+  std::string key, words;
+};
+
+/// What is said of the coupled hull with one number changed.
+std::vector<std::string> said(const Doubt& doubt, Severity severity) {
+  return read_model_text(replaced(kCoupled, doubt.find, doubt.replace),
+                         std::string(OVERBEND_SOURCE_DIR) + "/examples/hull.yaml")
+      .diagnostics.lines(severity);
+}
+
+void expect_said(const Doubt& doubt, Severity severity) {
+  SCOPED_TRACE(doubt.claim);
+  const std::vector<std::string> lines = said(doubt, severity);
+  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+    return line.find(doubt.key) != std::string::npos && line.find(doubt.words) != std::string::npos;
+  })) << (lines.empty() ? "nothing was said" : lines.front());
+}
+
+TEST(coupled_hull, a_mass_that_is_not_the_displaced_one_is_refused) {
+  const std::string given = "mass: 19121.58 t", key = "vessel.motion.coupled.mass";
+  for (const char* mass : {"19121.58 kg", "5000 t", "12000 t", "18000 t"}) {
+    expect_said({mass, given, std::string("mass: ") + mass, key, "that the hull displaces"}, Severity::error);
+  }
+  expect_said({"kg for t", given, "mass: 19121.58 kg", key, "is the mass in t?"}, Severity::error);
+  EXPECT_TRUE(said({"lines carry one per cent", given, "mass: 18930 t", "", ""}, Severity::error).empty());
+  EXPECT_TRUE(said({"as it is", given, given, "", ""}, Severity::warning).empty());
+}
+
+TEST(coupled_hull, numbers_that_no_hull_of_its_size_has_are_warned_of) {
+  const std::string c = "vessel.motion.coupled.";
+  const std::string gyration = "gyration: {roll: 10.5 m, pitch: 30 m, yaw: 30 m}", g = "x: 0 m, y: 0 m, z: 0.818 m";
+  const std::string files = "hydrodynamics: ../data/bgl1/bgl1\n";
+  const std::vector<Doubt> doubts = {
+      {"roll as pitch", gyration, "gyration: {roll: 20 m, pitch: 30 m, yaw: 30 m}", c + "gyration.roll",
+       "0.67 times the beam"},
+      {"pitch in feet", gyration, "gyration: {roll: 10.5 m, pitch: 100 ft, yaw: 9 m}", c + "gyration.yaw",
+       "0.075 times the length"},
+      {"from the stern", g, "x: 61 m, y: 0 m, z: 0.818 m", c + "centre_of_gravity.x", "outside of the hull"},
+      {"off the side", g, "x: 0 m, y: 16 m, z: 0.818 m", c + "centre_of_gravity.y", "outside of the hull"},
+      {"above the keel", g, "x: 0 m, y: 0 m, z: 6 m", c + "centre_of_gravity.z", "outside of the hull"},
+      {"a brackish sea", "water_depth: 89 m", "water_depth: 89 m\n  water_weight_density: 9.95 kN/m^3",
+       c + "convention.water_density", "differ by 1.0 %"},
+      {"the files' own water", files, files + "      convention: {water_density: 1000 kg/m^3}\n",
+       c + "convention.water_density", "differ by 2.4 %"},
+  };
+  for (const Doubt& doubt : doubts) expect_said(doubt, Severity::warning);
+}
+
+TEST(coupled_hull, radii_of_gyration_that_no_body_has_are_refused) {
+  expect_said({"yaw alone", "yaw: 30 m", "yaw: 40 m", "gyration.yaw", "as of any body"}, Severity::error);
+}
+
+TEST(coupled_hull, a_file_of_a_kind_that_is_not_read_is_named_as_it_is) {
+  const std::string file = ::testing::TempDir() + "results.h5";
+  std::ofstream(file) << "not read";
+  const Doubt doubt{"results", "../data/bgl1/bgl1", file, "vessel.motion.coupled.hydrodynamics",
+                    "results.h5', of a kind that is not read"};
+  expect_said(doubt, Severity::error);
+  EXPECT_EQ(said(doubt, Severity::error).front().find(".h5.1"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace overbend

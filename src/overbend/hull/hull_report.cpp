@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "hull/radiation_judgement.h"
 #include "model/wave_theory.h"
 
 namespace overbend {
@@ -97,6 +98,9 @@ HullReport hull_report(const MadeHull& made, const Model& model, const Sea& sea,
   out.warnings = made.warnings;
   const std::optional<CoupledHullDescription>& given = model.description.vessel.coupled;
   if (!given || !given->data) return out;
+  for (std::string& warning : misfit_warnings(radiation_misfits(made.hull.radiation, *given->data, sea))) {
+    out.warnings.push_back(std::move(warning));
+  }
   out.damping = horizontal_damping(made.hull, *given->data, station_stiffness);
   for (const ModeDamping& mode : out.damping) {
     if (mode.loop && mode.loop->damping < 0.0) {

@@ -8,6 +8,7 @@
 #include "modelfile/binding.h"
 #include "modelfile/line_checks.h"
 #include "modelfile/model_checks.h"
+#include "seafiles/hydrodynamics_reader.h"
 
 namespace overbend {
 namespace {
@@ -122,7 +123,13 @@ void check_hydrodynamics(Checker& check, const FieldValue& hull, const std::stri
   if (stem == nullptr) return;
   const std::string path = resolved_file(stem->text, file);
   std::error_code fault;
-  if (std::filesystem::is_regular_file(path, fault) || std::filesystem::is_regular_file(path + ".1", fault)) return;
+  const bool there = std::filesystem::is_regular_file(path, fault);
+  const bool known = hydrodynamics_stem(path) != path || std::filesystem::path(path).extension() == ".nc";
+  if ((there && known) || std::filesystem::is_regular_file(path + ".1", fault)) return;
+  if (there) {
+    return check.error(*stem, "the file " + stem->shown + ", of a kind that is not read",
+                       "the common stem of WAMIT's files .1, .3, .8 and .hst, or a netCDF file of Capytaine (.nc)");
+  }
   check.error(*stem, "the stem " + stem->shown + ", but there is no file '" + stem->text + ".1'",
               "the common stem of files .1, .3, .8 and .hst beside the model file");
 }

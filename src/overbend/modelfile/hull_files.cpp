@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "model/rao_table.h"
 #include "modelfile/binding.h"
+#include "modelfile/hull_plausibility.h"
 #include "seafiles/coefficient_table.h"
 #include "seafiles/hydrodynamics_reader.h"
 
@@ -22,11 +23,11 @@ HydrodynamicsSource source_of(const FieldValue& root, const Description& descrip
   HydrodynamicsSource source;
   source.path = hull.hydrodynamics;
   source.origin_V = hull.centre_of_gravity;
-  const std::string path = kHull + ".convention";
   source.mass = hull.mass;
   source.water_depth = description.environment.water_depth;
+  const std::string path = kHull + ".convention";
   const FieldValue* convention = root.find(path);
-  if (convention != nullptr) bind_members(field_node(path), *convention, &source, source_file);
+  if (convention != nullptr) bind_members(field_node(path), *convention, &source, description.source_file);
   return source;
 }
 
@@ -107,8 +108,10 @@ class Judge {
 void read_hull_files(const FieldValue& root, Description& description, Diagnostics& diagnostics) {
   if (!description.vessel.coupled) return;
   CoupledHullDescription& hull = *description.vessel.coupled;
+  const int errors = diagnostics.error_count();
   hull.data = read_hydrodynamics(source_of(root, description), diagnostics);
   if (hull.data) Judge(root, description, diagnostics).judge(*hull.data);
+  if (diagnostics.error_count() == errors) check_hull_plausibility(root, description, diagnostics);
   if (hull.current.form == HullCurrentForm::table) {
     hull.current.table = read_coefficient_table(hull.current.table_file, diagnostics);
   }

@@ -52,6 +52,7 @@ const std::vector<std::string>& serious_phrases() {
       "the line through its neighbours: a curvature",
       "the tensioner was at its travel limit",
       "the tensioner paid out",
+      "the radiation in time does not represent the hydrodynamic file",
       "the seabed leaves the water",
       "are the conventions (vessel.motion.convention) right?",
       "more than its breaking load",

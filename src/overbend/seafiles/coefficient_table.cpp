@@ -1,5 +1,6 @@
 #include "seafiles/coefficient_table.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -60,6 +61,18 @@ class CoefficientReader {
       return complain(row.line, kHeader[0], format_number(values[0]), "more than the angle before it");
     }
     rows_.push_back({values[0] * kDegree, values[1], values[2], values[3]});
+    check_size(row.line, values);
+  }
+
+  /// Forces in place of coefficients.
+  void check_size(int line, const std::array<double, 4>& values) {
+    constexpr double kLargest = 10.0;
+    const double largest = std::max({std::abs(values[1]), std::abs(values[2]), std::abs(values[3])});
+    if (largest <= kLargest || told_size_) return;
+    told_size_ = true;
+    diagnostics_.add({Severity::warning, path_, line, 0, "",
+                      "a coefficient of " + format_number(largest) + ": those of ships are below 3; are these forces?",
+                      "", ""});
   }
 
   void check_circle() {
@@ -85,7 +98,7 @@ class CoefficientReader {
   std::string path_;
   Diagnostics& diagnostics_;
   std::vector<CoefficientRow> rows_;
-  bool good_ = true, half_ = false;
+  bool good_ = true, half_ = false, told_size_ = false;
 };
 
 }  // namespace
