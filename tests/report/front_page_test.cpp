@@ -102,8 +102,8 @@ TEST(warning_weight, a_kind_that_is_told_many_times_stands_before_no_other_kind)
 /// All text between quotes of the sources that speak of assumptions and warnings, pieces of one text joined.
 std::string said_by_the_program() {
   std::string text;
-  for (const char* folder :
-       {"model", "checks", "hull", "system", "statics", "dynamics", "recording", "report", "results", "study"}) {
+  for (const char* folder : {"model", "checks", "hull", "system", "statics", "dynamics", "recording", "report",
+                             "results", "study", "seafiles", "modelfile"}) {
     for (const auto& entry :
          std::filesystem::recursive_directory_iterator(std::string(OVERBEND_SOURCE_DIR) + "/src/overbend/" + folder)) {
       const std::string name = entry.path().filename();

@@ -13,7 +13,7 @@ using testing::WrittenFile;
 TEST(motion_history_reader, columns_stand_in_any_order_and_missing_ones_are_zero) {
   const WrittenFile file("motion.csv", "# measured\npitch_deg,time_s,heave_m\n1,0,0.5\r\n-2,0.5,0.25\n\n3,1.5,0\n");
   Diagnostics diagnostics;
-  const auto history = read_motion_history(file.path(), diagnostics);
+  const auto history = read_motion_history(file.path(), 0.0, diagnostics);
   ASSERT_TRUE(history.has_value()) << diagnostics.lines(Severity::error)[0];
   EXPECT_EQ(history->time, (std::vector<double>{0.0, 0.5, 1.5}));
   EXPECT_EQ(history->freedoms[1], (std::array<double, 6>{0.0, 0.0, 0.25, 0.0, -2.0 * kDegree, 0.0}));
@@ -26,7 +26,7 @@ TEST(motion_history_reader, a_hole_in_a_record_is_warned_of) {
   }
   const WrittenFile file("motion.csv", text);
   Diagnostics diagnostics;
-  ASSERT_TRUE(read_motion_history(file.path(), diagnostics));
+  ASSERT_TRUE(read_motion_history(file.path(), 0.0, diagnostics));
   const std::vector<std::string> warnings = diagnostics.lines(Severity::warning);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find("a gap of 21 s"), std::string::npos) << warnings[0];
@@ -52,7 +52,7 @@ TEST(motion_history_reader, faults_are_told_with_file_line_what_was_found_and_wh
   for (const Fault& fault : faults) {
     const WrittenFile file("motion.csv", fault.text);
     Diagnostics diagnostics;
-    EXPECT_FALSE(read_motion_history(file.path(), diagnostics).has_value());
+    EXPECT_FALSE(read_motion_history(file.path(), 0.0, diagnostics).has_value());
     ASSERT_EQ(diagnostics.error_count(), 1) << fault.words;
     const Diagnostic first = diagnostics.sorted().front();
     EXPECT_EQ(first.line, fault.line) << render(first);

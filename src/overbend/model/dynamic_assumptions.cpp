@@ -90,6 +90,11 @@ void assume_vessel_motion(Sentences& list, const VesselDescription& vessel) {
     list.push_back(words->second);
   }
 }
+  if (vessel.history && vessel.history->passages > 0) {
+    list.push_back(fmt::format(
+        "The recorded angles pass from one end of the circle to the other {} times; they are made continuous.",
+        vessel.history->passages));
+  }
 
 void assume_water_forces(Sentences& list, const Model& model) {
   const Section& pipe = model.sections.front();

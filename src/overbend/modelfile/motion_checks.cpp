@@ -1,4 +1,8 @@
+#include <cmath>
+
+#include "base/constants.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "model/description_words.h"
 #include "modelfile/check_helper.h"
 #include "modelfile/model_checks.h"
@@ -13,6 +17,23 @@ std::vector<std::string> sources() {
   return words;
 }
 
+/// Amplitude and period of a freedom that no vessel has together.
+void check_harmonic(Checker& check, const FieldValue& freedom) {
+  constexpr double kGravity = 9.81, kTurning = 100.0 * kDegree, kSteepest = 45.0 * kDegree;  // [m/s2, rad/s2, rad]
+  const FieldValue *amplitude = freedom.find("amplitude"), *period = freedom.find("period");
+  if (amplitude == nullptr || period == nullptr) return;
+  const bool turns = freedom.key == "roll" || freedom.key == "pitch" || freedom.key == "yaw";
+  const double acceleration = amplitude->number * std::pow(kTurn / period->number, 2);
+  if (acceleration > (turns ? kTurning : kGravity)) {
+    check.warn(*amplitude, amplitude->shown + " at a period of " + period->shown + " is an acceleration of " +
+                               (turns ? format_number(acceleration * kToDegrees, 3) + " deg/s^2"
+                                      : format_number(acceleration, 3) + " m/s^2") +
+                               ", which no vessel has; are the units right?");
+  } else if (turns && freedom.key != "yaw" && amplitude->number > kSteepest) {
+    check.warn(*amplitude, amplitude->shown + " is steeper than a vessel rolls or pitches; is the unit right?");
+  }
+}
+
 }  // namespace
 
 void check_motion(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
@@ -20,6 +41,9 @@ void check_motion(const FieldValue& root, const std::string& file, Diagnostics& 
   const FieldValue* motion = root.find("vessel.motion");
   if (motion == nullptr || motion->kind != FieldValue::Kind::map) return;
   static const std::vector<std::string> kSources = sources();
+  if (const FieldValue* harmonic = motion->find("harmonic"); harmonic != nullptr) {
+    for (const FieldValue& freedom : harmonic->children) check_harmonic(check, freedom);
+  }
   std::vector<std::string> given;
   for (const std::string& source : kSources) {
     if (motion->mentions(source)) given.push_back(source);

@@ -30,7 +30,7 @@ void read_motion_file(const FieldValue& root, Description& description, Diagnost
   if (vessel.motion == VesselMotion::raos) {
     vessel.raos = read_raos(vessel.motion_file, settings, description.environment.water_depth, diagnostics);
   } else if (vessel.motion == VesselMotion::history) {
-    vessel.history = read_motion_history(vessel.motion_file, diagnostics);
+    vessel.history = read_motion_history(vessel.motion_file, vessel.heading, diagnostics);
   }
 }
 

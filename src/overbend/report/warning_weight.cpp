@@ -30,8 +30,11 @@ std::optional<std::size_t> serious_kind(const std::string& warning) {
 
 WeighedWarning weigh(const std::string& warning) {
   const std::size_t mark = warning.find(kOfReader);
-  if (mark != std::string::npos) return {WarningWeight::input, without_mark(without_folder(warning, mark))};
-  WeighedWarning weighed{serious_kind(warning) ? WarningWeight::serious : WarningWeight::caution, warning};
+  const bool serious = serious_kind(warning).has_value();
+  if (mark != std::string::npos) {
+    return {serious ? WarningWeight::serious : WarningWeight::input, without_mark(without_folder(warning, mark))};
+  }
+  WeighedWarning weighed{serious ? WarningWeight::serious : WarningWeight::caution, warning};
   if (!warning.empty()) weighed.text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(warning[0])));
   return weighed;
 }
@@ -52,6 +55,8 @@ const std::vector<std::string>& serious_phrases() {
       "the line through its neighbours: a curvature",
       "the tensioner was at its travel limit",
       "the tensioner paid out",
+      "the vessel, and with it the pipe, is thrown by it",
+      "yaw is the deviation from vessel.heading",
       "the radiation in time does not represent the hydrodynamic file",
       "the seabed leaves the water",
       "are the conventions (vessel.motion.convention) right?",
@@ -75,7 +80,7 @@ const std::vector<std::string>& serious_phrases() {
 std::vector<std::string> serious_warnings(const std::vector<std::string>& warnings) {
   std::vector<std::string> serious;
   for (const std::string& warning : warnings) {
-    if (warning.find(kOfReader) == std::string::npos && serious_kind(warning)) serious.push_back(warning);
+    if (serious_kind(warning)) serious.push_back(warning);
   }
   return serious;
 }

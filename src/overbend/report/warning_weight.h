@@ -9,7 +9,7 @@ namespace overbend {
 enum class WarningWeight {
   serious,  ///< The lay is not feasible as given, or the numbers do not mean what they seem to.
   caution,  ///< To be looked at before the pipe is laid.
-  input,    ///< The reader noticed something unusual in the model file.
+  input,    ///< The reader noticed something unusual in the model file or in one that it names.
 };
 
 struct WeighedWarning {

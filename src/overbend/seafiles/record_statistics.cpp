@@ -1,0 +1,138 @@
+#include "seafiles/record_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace overbend {
+namespace {
+
+/// Smallest change between rows that is not zero, the last digit of the record; 0 where nothing changes.
+double resolution(const std::vector<double>& steps) {
+  double smallest = 0.0;
+  for (const double step : steps) {
+    const double size = std::abs(step);
+    if (size > 0.0 && (smallest == 0.0 || size < smallest)) smallest = size;
+  }
+  return smallest;
+}
+
+/// Magnitudes of the rates between rows.
+std::vector<double> rates_between(const std::vector<double>& time, const std::vector<double>& values) {
+  std::vector<double> rates(values.size() - 1);
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    rates[i] = std::abs(values[i + 1] - values[i]) / (time[i + 1] - time[i]);
+  }
+  return rates;
+}
+
+/// Upper quartile of the rates around step `i`, without it.
+double rate_around(const std::vector<double>& rates, std::size_t i) {
+  constexpr std::size_t kReach = 10;
+  const std::size_t from = i > kReach ? i - kReach : 0, to = std::min(rates.size(), i + kReach + 1);
+  std::vector<double> around;
+  for (std::size_t k = from; k < to; ++k) {
+    if (k != i) around.push_back(rates[k]);
+  }
+  return quantile(std::move(around), 0.75);
+}
+
+/// Magnitude of the second difference with which step `i` begins.
+double acceleration_before(const std::vector<double>& time, const std::vector<double>& values, std::size_t i) {
+  if (i == 0) return 0.0;
+  const double before = time[i] - time[i - 1], after = time[i + 1] - time[i];
+  const double change = (values[i + 1] - values[i]) / after - (values[i] - values[i - 1]) / before;
+  return std::abs(change) / (0.5 * (before + after));
+}
+
+}  // namespace
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double deviation(const std::vector<double>& values) {
+  const double average = mean(values);
+  double sum = 0.0;
+  for (const double value : values) sum += (value - average) * (value - average);
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+double median(const std::vector<double>& values) {
+  return quantile(values, 0.5);
+}
+
+std::vector<double> differences(const std::vector<double>& values) {
+  std::vector<double> steps(values.size() - 1);
+  for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = values[i + 1] - values[i];
+  return steps;
+}
+
+std::size_t largest(const std::vector<double>& values) {
+  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  return static_cast<std::size_t>(std::max_element(values.begin(), values.end(), smaller) - values.begin());
+}
+
+bool finely_written(const std::vector<double>& values) {
+  constexpr double kFine = 20.0;
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  return *highest > *lowest && *highest - *lowest >= kFine * resolution(differences(values));
+}
+
+double crossing_period(const std::vector<double>& time, const std::vector<double>& values) {
+  const double level = median(values);
+  std::size_t first = 0, last = 0;
+  int crossings = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i - 1] >= level || values[i] < level) continue;
+    if (crossings++ == 0) first = i;
+    last = i;
+  }
+  return crossings < 2 ? 0.0 : (time[last] - time[first]) / (crossings - 1);
+}
+
+std::vector<Leap> find_leaps(const std::vector<double>& time, const std::vector<double>& values, RateBounds bounds) {
+  // The largest step of a Gaussian motion of a day is some 8 times its median, that of a growing one more; but then
+  // those around it are as large.
+  constexpr double kOfUsual = 12.0, kOfAround = 6.0;
+  constexpr std::size_t kFewest = 12;
+  const std::vector<double> rates = rates_between(time, values);
+  std::vector<double> moving;
+  std::copy_if(rates.begin(), rates.end(), std::back_inserter(moving), [](double rate) { return rate > 0.0; });
+  const double usual = median(moving);
+  std::vector<Leap> leaps;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const double acceleration = acceleration_before(time, values, i);
+    const bool beyond = rates[i] > bounds.rate || acceleration > bounds.acceleration;
+    const bool apart = rates.size() >= kFewest && rates[i] > kOfUsual * usual &&
+                       rates[i] > kOfAround * std::max(usual, rate_around(rates, i));
+    if (beyond || apart) leaps.push_back({i + 1, rates[i], acceleration, usual > 0.0 ? rates[i] / usual : 0.0});
+  }
+  return leaps;
+}
+
+std::optional<EqualRun> find_frozen_run(const std::vector<double>& time, const std::vector<double>& values) {
+  // A crest of amplitude a, rounded to q, stays the same for sqrt(q / a) / pi of its period: a tenth where a is ten q.
+  constexpr double kOfPeriod = 0.5;
+  constexpr std::size_t kFewest = 5;
+  const double period = crossing_period(time, values);
+  if (period <= 0.0 || !finely_written(values)) return std::nullopt;
+  EqualRun longest{0, 0};
+  for (std::size_t first = 0, i = 1; i <= values.size(); ++i) {
+    if (i < values.size() && values[i] == values[first]) continue;
+    if (time[i - 1] - time[first] > time[longest.last] - time[longest.first]) longest = {first, i - 1};
+    first = i;
+  }
+  const bool frozen =
+      longest.last - longest.first + 1 >= kFewest && time[longest.last] - time[longest.first] >= kOfPeriod * period;
+  return frozen ? std::optional(longest) : std::nullopt;
+}
+
+}  // namespace overbend
