@@ -331,5 +331,25 @@ TEST(moorings, programs_of_winches_are_read_and_looked_at) {
   EXPECT_TRUE(refused("mode: length, program: [{time: 60 s}]"));
 }
 
+TEST(moorings, a_pose_to_be_found_of_a_vessel_that_is_held_is_warned_of) {
+  const auto warned = [](const std::string& text) {
+    const ModelReading reading = read_model_text(text, std::string(OVERBEND_SOURCE_DIR) + "/examples/m.yaml");
+    for (const std::string& line : reading.diagnostics.lines(Severity::error)) ADD_FAILURE() << line;
+    const std::vector<std::string> lines = reading.diagnostics.lines(Severity::warning);
+    return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+      return line.find("moorings.find: no pose is found: the vessel is held as drawn") != std::string::npos;
+    });
+  };
+  const std::string pose = replaced(kMoored, "moorings:\n", "moorings:\n  find: pose\n");
+  EXPECT_FALSE(warned(pose));
+  std::string held = replaced(pose, "  hydrostatics: {heave: 36198.9 kN/m, roll: 2075448 kN*m, pitch: 42799210 kN*m}\n",
+                              "  motion: {harmonic: {heave: {amplitude: 1 m, period: 8 s}}}\n");
+  held = replaced(held, "  loads:\n    - {name: pipe, at: {x: -60 m}, force: {x: -205.6 kN}}\n", "");
+  held = replaced(held, ", loads: [{moment: {z: 8000 kN*m}}]", "");
+  held = replaced(held, ", loads: []", "");
+  EXPECT_TRUE(warned(held));
+  EXPECT_FALSE(warned(replaced(held, "  find: pose\n", "")));
+}
+
 }  // namespace
 }  // namespace overbend

@@ -172,5 +172,22 @@ TEST_F(SpectrumFile, doubtful_waves_are_told) {
   }
 }
 
+TEST(spectrum_reader, a_value_that_stands_for_none_is_refused_and_a_lone_peak_warned_of) {
+  const std::string head = "frequency_hz,density_m2_hz\n0.05,0\n0.1,1.2\n0.12,";
+  const auto said = [&](const std::string& cell, Severity severity) {
+    Diagnostics diagnostics;
+    read_spectrum_text(head + cell + "\n0.14,1.1\n0.2,0.2\n0.3,0\n", "a.csv", diagnostics);
+    const std::vector<std::string> lines = diagnostics.lines(severity);
+    return lines.empty() ? "" : lines.front();
+  };
+  for (const char* cell : {"99.9", "99.99", "999", "9.99"}) {
+    EXPECT_NE(said(cell, Severity::error).find("where they have no value"), std::string::npos) << cell;
+    EXPECT_NE(said(cell, Severity::error).find("a.csv:4"), std::string::npos) << cell;
+  }
+  EXPECT_NE(said("-999", Severity::error).find("where they have no value"), std::string::npos);
+  EXPECT_NE(said("12", Severity::warning).find("10 times the next largest density"), std::string::npos);
+  EXPECT_EQ(said("3", Severity::warning) + said("3", Severity::error), "");
+}
+
 }  // namespace
 }  // namespace overbend

@@ -39,7 +39,8 @@ TEST(study_remarks, a_wave_height_that_the_sea_of_a_file_does_not_use_is_told_of
   const Tried tried(heights, of_file);
   ASSERT_EQ(tried.remarks().size(), 1U);
   EXPECT_EQ(tried.remarks()[0], "environment.waves.hs: has no meaning for waves of type user and is not used");
-  EXPECT_TRUE(Tried(heights, testing::kWaves).remarks().empty());
+  const std::string of_one_shape = "waves: {type: jonswap, hs: 1 m, tp: 7 s, gamma: 2, from: 60 deg}";
+  EXPECT_TRUE(Tried(heights, of_one_shape).remarks().empty());
 }
 
 TEST(study_remarks, of_a_key_that_some_cases_use_nothing_is_told) {
@@ -65,6 +66,18 @@ TEST(study_remarks, stand_in_the_folder_of_the_study_and_in_its_results) {
   open_study(*tried.base, *tried.cases, folder);
   EXPECT_EQ(read_study(folder).warnings, tried.remarks());
   EXPECT_EQ(tried.remarks().size(), 1U);
+}
+
+TEST(study_remarks, a_peak_enhancement_that_follows_the_height_is_told_of_the_study) {
+  const std::string heights = "axes: [{key: environment.waves.hs, values: [0.5 m, 4 m]}]\n";
+  const std::string by_rule = "waves: {type: jonswap, hs: 1 m, tp: 7 s, from: 60 deg}";
+  const std::string given = "waves: {type: jonswap, hs: 1 m, tp: 7 s, gamma: 2, from: 60 deg}";
+  const std::vector<std::string> remarks = Tried(heights, by_rule).remarks();
+  ASSERT_EQ(remarks.size(), 1U);
+  // exp(5.75 - 1.15 Tp / sqrt(Hs)) between 1 and 5
+  EXPECT_NE(remarks[0].find("from 1 to 5 in this study"), std::string::npos) << remarks[0];
+  EXPECT_NE(remarks[0].find("environment.waves.gamma"), std::string::npos);
+  EXPECT_TRUE(Tried(heights, given).remarks().empty());
 }
 
 }  // namespace

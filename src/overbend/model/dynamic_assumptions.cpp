@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "model/sea_statistics.h"
 #include "model/step_scales.h"
 #include "model/wave_theory.h"
 
@@ -43,7 +44,7 @@ std::string spectrum_words(const WavesDescription& waves) {
       return "a Pierson-Moskowitz spectrum";
     default:
       return "a user-defined spectrum from a file" +
-             (waves.hs > 0.0 ? fmt::format(", with a significant wave height of {:.3g} m", waves.hs) : std::string());
+             (waves.spectrum.empty() ? std::string() : ", with " + sea_statistics_words(waves.spectrum));
   }
 }
 
@@ -89,12 +90,12 @@ void assume_vessel_motion(Sentences& list, const VesselDescription& vessel) {
   if (words != kWords.end()) {
     list.push_back(words->second);
   }
-}
   if (vessel.history && vessel.history->passages > 0) {
     list.push_back(fmt::format(
         "The recorded angles pass from one end of the circle to the other {} times; they are made continuous.",
         vessel.history->passages));
   }
+}
 
 void assume_water_forces(Sentences& list, const Model& model) {
   const Section& pipe = model.sections.front();

@@ -99,6 +99,18 @@ void check_winches(Checker& check, const std::set<std::string>& used) {
   }
 }
 
+/// A hull whose motion is prescribed stays as drawn, whatever its lines pull.
+void check_pose(Checker& check, const FieldValue& moorings) {
+  const FieldValue *find = moorings.find("find"), *motion = check.root().find("vessel.motion");
+  const bool pose = find != nullptr && find->given && moorings.get_word<FindMooring>("find") == FindMooring::pose;
+  if (!pose || hull_floats(check.root())) return;
+  const bool prescribed = motion != nullptr && motion->given && motion->kind == FieldValue::Kind::map;
+  check.warn(*find, std::string("no pose is found: the vessel is held as drawn, ") +
+                        (prescribed ? "for its motion is prescribed" : "for nothing says how it floats") +
+                        "; give vessel.motion.coupled, or vessel.hydrostatics" +
+                        (prescribed ? " without a motion" : ""));
+}
+
 void check_find(Checker& check) {
   const FieldValue* moorings = check.root().find("moorings");
   if (moorings == nullptr) return;
@@ -106,6 +118,7 @@ void check_find(Checker& check) {
   if (least != nullptr && most != nullptr && least->number >= most->number) {
     check.error(*least, least->shown, "less than the working load, " + most->shown);
   }
+  check_pose(check, *moorings);
   if (moorings->get_word<FindMooring>("find") != FindMooring::lengths) return;
   for (const FieldValue& line : Checker::items(*moorings, "lines")) {
     if (!line.mentions("tension")) {

@@ -8,6 +8,7 @@
 #include "base/constants.h"
 #include "mechanics/wave_spectrum.h"
 #include "model/rao_table.h"
+#include "model/sea_statistics.h"
 
 namespace overbend {
 namespace {
@@ -53,8 +54,8 @@ std::string sea_words(const WavesDescription& waves) {
     case WaveType::user:
       break;
   }
-  const std::string height = waves.hs > 0.0 ? fmt::format(", Hs {:.4g} m", waves.hs) : std::string();
-  return random_sea("spectrum of " + file_name(waves.spectrum_file) + height, waves);
+  const std::string heights = waves.spectrum.empty() ? "" : ", " + sea_statistics_words(waves.spectrum);
+  return random_sea("spectrum of " + file_name(waves.spectrum_file) + heights, waves);
 }
 
 std::string motion_words(const VesselDescription& vessel) {

@@ -10,6 +10,8 @@
 #include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "model/sea_statistics.h"
+#include "seafiles/sentinels.h"
 #include "seafiles/text_table.h"
 
 namespace overbend {
@@ -24,15 +26,6 @@ struct Columns {
 };
 constexpr Columns kKnown[] = {{"omega_rad_s", "density_m2s", 1.0, 1.0},
                               {"frequency_hz", "density_m2_hz", kTurn, 1.0 / kTurn}};
-
-/// 4 sqrt(m0) of densities that are linear between the points [m].
-double significant_height(const std::vector<SpectrumPoint>& points) {
-  double variance = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    variance += 0.5 * (points[i].density + points[i - 1].density) * (points[i].omega - points[i - 1].omega);
-  }
-  return 4.0 * std::sqrt(variance);
-}
 
 class SpectrumReader {
  public:
@@ -88,7 +81,7 @@ class SpectrumReader {
     if (!value) {
       complain(column, "'" + for_display(cell) + "'", "a number");
     } else if (*value < 0.0) {
-      complain(column, format_number(*value), "0 or more");
+      complain(column, format_number(*value) + (is_sentinel(*value) ? kNoValueWords : ""), "0 or more");
       return std::nullopt;
     }
     return value;
@@ -111,6 +104,7 @@ class SpectrumReader {
                "more than the frequency before it, " + format_number(*last_frequency_));
     }
     last_frequency_ = frequency;
+    lines_.push_back(line_);
     points_.push_back({*frequency * columns_->to_omega, *density * columns_->to_density});
   }
 
@@ -122,7 +116,8 @@ class SpectrumReader {
     } else if (points_.size() < 2) {
       complain("", std::to_string(points_.size()) + " rows", "at least 2 rows");
     } else {
-      const double height = significant_height(points_);
+      const double height = sea_statistics(points_).hs;
+      check_peak();
       if (!(height > 0.0)) complain(columns_->density, "0 in every row", "a spectrum with energy");
       if (height > kHighestSea) {
         complain(columns_->density, "a sea with a significant wave height of " + format_quantity(height, "m", "m", 3),
@@ -131,9 +126,31 @@ class SpectrumReader {
     }
   }
 
+  /// One row that towers over all others: what stands for no value, or a slip.
+  void check_peak() {
+    constexpr double kTower = 5.0;
+    const auto less = [](const SpectrumPoint& p, const SpectrumPoint& q) { return p.density < q.density; };
+    const auto peak = std::max_element(points_.begin(), points_.end(), less);
+    double next = 0.0;
+    for (auto p = points_.begin(); p != points_.end(); ++p) next = p == peak ? next : std::max(next, p->density);
+    const double density = peak->density / columns_->to_density;
+    if (points_.size() < 4 || peak->density < kTower * next) return;
+    line_ = lines_[static_cast<std::size_t>(peak - points_.begin())];
+    if (is_sentinel(density)) {
+      complain(columns_->density, format_number(density) + kNoValueWords, "a density, or no row");
+    } else {
+      diagnostics_.add({Severity::warning, path_, line_, 0, columns_->density,
+                        format_number(density) + " is " + format_number(peak->density / next, 2) +
+                            " times the next largest density: the sea is nearly a regular wave",
+                        "", ""});
+    }
+    line_ = 0;
+  }
+
   std::string path_;
   Diagnostics& diagnostics_;
   int line_ = 0;
+  std::vector<int> lines_;  ///< Of each point.
   bool good_ = true;
   const Columns* columns_ = nullptr;
   std::optional<double> last_frequency_;
@@ -155,7 +172,7 @@ void read_wave_spectrum(WavesDescription& waves, Diagnostics& diagnostics) {
   const std::optional<std::string> text = read_text_file(path, diagnostics);
   if (!text) return;
   waves.spectrum = read_spectrum_text(*text, path, diagnostics);
-  waves.hs = significant_height(waves.spectrum);
+  waves.hs = sea_statistics(waves.spectrum).hs;
 }
 
 }  // namespace overbend

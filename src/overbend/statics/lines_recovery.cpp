@@ -7,6 +7,7 @@
 
 #include "base/version.h"
 #include "mechanics/ground.h"
+#include "model/model_warnings.h"
 #include "system/cut_forces.h"
 
 namespace overbend {
@@ -140,7 +141,7 @@ LinesResults recover_lines(const Model& model, const Assembly& assembly, const S
   LinesResults results;
   results.title = model.description.title;
   results.version = kVersion;
-  results.warnings = model.description.warnings;
+  results.warnings = model_warnings(model);
   results.assumptions = line_assumptions(model);
   for (std::size_t i = 0; i < state.lines.size(); ++i) {
     const FreeLineDescription& description = model.description.lines[i];

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/version.h"
+#include "model/model_warnings.h"
 #include "model/station.h"
 #include "moorings/anchor_plan.h"
 #include "moorings/planner.h"
@@ -170,7 +171,7 @@ std::variant<MooringResults, StaticFailure> moored_results(const Model& model, c
   results.title = d.title;
   results.version = OVERBEND_VERSION;
   results.assumptions = mooring_assumptions(model);
-  results.warnings = d.warnings;
+  results.warnings = model_warnings(model);
   Stages stages(model, results);
   std::optional<MooredState> rest = stages.state("static", moored);
   if (!rest) return stages.failure();

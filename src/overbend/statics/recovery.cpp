@@ -10,6 +10,7 @@
 #include "base/version.h"
 #include "mechanics/point_load.h"
 #include "mechanics/quadrature.h"
+#include "model/model_warnings.h"
 #include "statics/bed_contacts.h"
 #include "statics/current_effect.h"
 #include "statics/recovery_bed.h"
@@ -276,7 +277,7 @@ void copy_model(StaticResults& results, const Model& model) {
   results.title = model.description.title;
   results.version = kVersion;
   results.assumptions = assumptions(model);
-  results.warnings = model.description.warnings;
+  results.warnings = model_warnings(model);
   for (const Section& s : model.sections) {
     results.sections.push_back({s.name, s.EA, s.EI, s.weight_in_air, s.weight_submerged, s.steel_area, s.second_moment,
                                 s.outer_diameter, s.mass()});
