@@ -25,8 +25,10 @@ TEST(run_store, takes_up_at_the_checkpoint_and_drops_what_came_after) {
   stop_a_run(folder.path());
   EXPECT_EQ(RunStore::find(folder.path()).value().time, 50.0);
   EXPECT_EQ(RunStore::find(folder.path()).value().fault, "");
+  EXPECT_FALSE(RunStore::find(folder.path()).value().active);
   std::optional<ResumedRun> run = RunStore::resume(folder.path(), kModel, kSeed);
   ASSERT_TRUE(run);
+  EXPECT_TRUE(RunStore::find(folder.path()).value().active);  // somebody is at work on it
   expect_run(run->store, 100);
   ASSERT_EQ(run->state.arrays.size(), 2U);
   EXPECT_EQ(run->state.time, 50.0);

@@ -26,6 +26,10 @@ std::optional<Unfinished> find_unfinished(const std::vector<fs::path>& folders) 
 }
 
 std::string words(const Unfinished& found) {
+  if (found.run.active) {
+    return fmt::format("a run is active in '{}', at t = {:.1f} s by its last checkpoint", found.folder.string(),
+                       found.run.time);
+  }
   const std::string where = fmt::format("there is an unfinished run in '{}'", found.folder.string());
   return found.run.fault.empty() ? fmt::format("{}, stopped at t = {:.1f} s", where, found.run.time)
                                  : fmt::format("{}, which cannot be resumed: {}", where, found.run.fault);
@@ -50,6 +54,10 @@ std::optional<bool> goes_on(const std::vector<fs::path>& folders, const TakeUp& 
   if (wish.resume || wish.restart) return wish.resume;
   const std::optional<Unfinished> found = find_unfinished(folders);
   if (!found) return false;
+  if (found->run.active) {
+    std::cerr << "overbend: " << words(*found) << "; wait for it, or choose another folder with -o\n";
+    return std::nullopt;
+  }
   if (isatty(STDIN_FILENO) == 1 && isatty(STDERR_FILENO) == 1) return ask(*found);
   std::cerr << "overbend: " << words(*found) << "; "
             << (found->run.fault.empty() ? "continue with --resume, or discard it and start again with --restart"

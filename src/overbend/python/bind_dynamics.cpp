@@ -56,10 +56,11 @@ StudyPlan plan_of(const Description& description, const RunWish& wish) {
 void require_wish(const std::vector<fs::path>& folders, const RunWish& wish) {
   if (wish.resume || wish.restart) return;
   for (const fs::path& folder : folders) {
-    if (RunStore::find(folder)) {
-      throw EndedRun({RunEnding::fault, "there is an unfinished run in '" + folder.string() +
-                                            "'; resume=True goes on with it, restart=True begins anew"});
-    }
+    const std::optional<StoredRun> run = RunStore::find(folder);
+    if (!run) continue;
+    throw EndedRun({RunEnding::fault, run->active ? "a run is active in '" + folder.string() + "'"
+                                                  : "there is an unfinished run in '" + folder.string() +
+                                                        "'; resume=True goes on with it, restart=True begins anew"});
   }
 }
 

@@ -36,6 +36,12 @@ FileDescriptor lock(const fs::path& folder) {
   throw std::runtime_error("another run is active in the folder '" + folder.parent_path().string() + "'");
 }
 
+/// Whether a process holds the lock. Does not throw.
+bool is_locked(const fs::path& folder) {
+  const FileDescriptor descriptor(::open((folder / "lock").c_str(), O_RDONLY | O_CLOEXEC));
+  return descriptor.id() >= 0 && ::flock(descriptor.id(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
 bool same_columns(const std::vector<HistoryColumn>& a, const std::vector<HistoryColumn>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const HistoryColumn& p, const HistoryColumn& q) {
     return p.name == q.name && p.units == q.units && p.extreme == q.extreme && p.spectrum == q.spectrum &&
@@ -163,10 +169,11 @@ std::optional<StoredRun> RunStore::find(const fs::path& output_dir) {
   const fs::path file = output_dir / kFolder / "checkpoint";
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return std::nullopt;
+  const bool active = is_locked(output_dir / kFolder);
   try {
-    return StoredRun{read_checkpoint(file).state.time, ""};
+    return StoredRun{read_checkpoint(file).state.time, "", active};
   } catch (const std::exception& fault) {
-    return StoredRun{0.0, fault.what()};
+    return StoredRun{0.0, fault.what(), active};
   }
 }
 

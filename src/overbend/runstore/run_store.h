@@ -13,8 +13,9 @@ namespace overbend {
 
 /// A run that was started and not finished.
 struct StoredRun {
-  double time = 0.0;  ///< Of its last checkpoint [s].
-  std::string fault;  ///< Why it cannot be resumed; empty if no reason is known.
+  double time = 0.0;    ///< Of its last checkpoint [s].
+  std::string fault;    ///< Why it cannot be resumed; empty if no reason is known.
+  bool active = false;  ///< A process is at work on it.
 };
 
 struct ResumedRun;
