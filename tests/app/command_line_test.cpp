@@ -154,5 +154,36 @@ TEST(command_line, new_never_overwrites_unasked) {
   EXPECT_EQ(scratch.read("mine.yaml").rfind("# 406.4 mm pipe", 0), 0U);
 }
 
+std::string text_of(const std::string& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(command_line, check_shows_places_and_inclines_of_supports_in_one_frame) {
+  const testing::Scratch scratch;
+  std::string text = text_of(example("first-model.yaml"));
+  text.replace(text.find("vessel:\n"), 8, "vessel:\n  trim: 1 deg\n");
+  const ProgramRun run = run_program("check " + scratch.write("trim.yaml", text));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::size_t line = run.out.find("  ramp 1 ");
+  ASSERT_NE(line, std::string::npos);
+  const std::string row = run.out.substr(line, run.out.find('\n', line) - line);
+  for (const char* value : {"-35.083", "4.458", "4.86"}) EXPECT_NE(row.find(value), std::string::npos) << row;
+}
+
+TEST(command_line, check_says_what_static_warns_of_without_a_solution) {
+  const testing::Scratch scratch;
+  std::string text = text_of(example("first-model.yaml"));
+  text.replace(text.find("z: -11.12 m"), 11, "z: 11.12 m");
+  const std::string file = scratch.write("sign.yaml", text);
+  const std::string words = "the box 'stinger 3' is 20.46 m above the line through its neighbours";
+  const ProgramRun checked = run_program("check " + file);
+  EXPECT_EQ(checked.code, 0);
+  EXPECT_NE(checked.out.find(words), std::string::npos) << checked.out;
+  const ProgramRun solved = run_program("static " + file + " -o " + scratch.file("out"));
+  EXPECT_EQ(solved.code, 3);
+  EXPECT_NE(solved.err.find(words), std::string::npos) << solved.err;
+}
+
 }  // namespace
 }  // namespace overbend

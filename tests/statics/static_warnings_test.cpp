@@ -77,7 +77,7 @@ TEST(static_warnings, supports_below_the_bed_are_named) {
 
 TEST(static_warnings, a_stern_shoe_below_the_water_is_told) {
   const std::vector<std::string> list =
-      warnings_with([](Description&, StaticResults& r) { r.stern_shoe_W.z() = -1.5; });
+      warnings_with([](Description& d, StaticResults&) { d.vessel.stern_shoe_z = -1.5; });
   EXPECT_EQ(mentions(list, "the stern shoe is 1.50 m below the water"), 1);
 }
 
@@ -148,6 +148,30 @@ TEST(static_warnings, strain_at_field_joints_that_nobody_told_is_missing) {
                        words),
               0);
   }
+}
+
+TEST(static_warnings, a_seabed_that_leaves_the_water_under_the_laid_pipe_is_told) {
+  const auto told = [](double slope, double towards) {
+    return mentions(warnings_with([&](Description& d, StaticResults&) {
+                      d.environment.seabed.friction_axial = 1.0;
+                      d.environment.seabed.slope = slope;
+                      d.environment.seabed.slope_towards = d.vessel.heading + towards;
+                    }),
+                    "the seabed leaves the water under the laid pipe");
+  };
+  EXPECT_EQ(told(0.5, 0.0), 1);               // falls ahead, rises astern
+  EXPECT_EQ(told(0.5, std::numbers::pi), 0);  // falls astern
+  EXPECT_EQ(told(0.01, 0.0), 0);
+}
+
+TEST(static_warnings, a_tensioner_that_points_past_the_first_box_is_told) {
+  const auto told = [](double incline) {
+    return mentions(warnings_with([&](Description& d, StaticResults&) { d.tensioner.incline = incline; }),
+                    "check tensioner.incline");
+  };
+  EXPECT_EQ(told(0.5), 1);
+  EXPECT_EQ(told(-0.5), 1);
+  EXPECT_EQ(told(0.0), 0);
 }
 
 }  // namespace

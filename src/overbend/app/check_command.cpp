@@ -10,10 +10,12 @@
 #include "app/exit_code.h"
 #include "app/stage_lines.h"
 #include "base/constants.h"
+#include "model/box_dip.h"
 #include "model/material_words.h"
 #include "model/model.h"
 #include "model/rao_limits.h"
 #include "report/warning_weight.h"
+#include "study/input_warnings.h"
 #include "study/lay_operation.h"
 #include "study/prepared_case.h"
 
@@ -77,8 +79,8 @@ void print_supports(const Model& model) {
                            "incline [deg]", "length [m]");
   for (const SupportBox& box : supports.boxes) {
     std::cout << fmt::format("  {:<24}{}{:>14.3f}{:>12.3f}\n", box.name,
-                             point(point_from_ramp(model, model.mean_pose, box.point_S)), box.inclination * kToDegrees,
-                             box.length);
+                             point(point_from_ramp(model, model.mean_pose, box.point_S)),
+                             box_dip(model.mean_pose, box) * kToDegrees, box.length);
     for (int r = 0; r < box.row_count; ++r) {
       const SupportRow& row = supports.rows[box.first_row + r];
       std::cout << fmt::format("  {:<24}{}{:>26}  {}\n", fmt::format("  row {}", r + 1),
@@ -88,10 +90,10 @@ void print_supports(const Model& model) {
   }
 }
 
-/// The table by which wrong conventions of RAOs show; returns what is to be warned of.
-std::vector<std::string> print_raos(const Model& model) {
+/// The table by which wrong conventions of RAOs show.
+void print_raos(const Model& model) {
   const VesselDescription& vessel = model.description.vessel;
-  if (!vessel.raos) return {};
+  if (!vessel.raos) return;
   const RaoTable& raos = *vessel.raos;
   std::cout << fmt::format("\nRAOs: {}, {} headings, {} frequencies from {:.4g} to {:.4g} rad/s\n", raos.source,
                            raos.headings.size(), raos.omegas.size(), raos.omegas.front(), raos.omegas.back());
@@ -111,7 +113,6 @@ std::vector<std::string> print_raos(const Model& model) {
                              row.lag * kToDegrees + 0.0, row.expected_lag * kToDegrees + 0.0,
                              row.agrees || !limits.long_enough ? "" : "  disagrees");
   }
-  return limit_warnings(limits);
 }
 
 void print_list(const std::string& head, const std::vector<std::string>& lines) {
@@ -135,15 +136,13 @@ int run_check(const std::string& model_file) {
     print_supports(model);
   }
   std::cout << planned_stages(*description);
-  std::vector<std::string> warnings = description->warnings;
+  std::vector<std::string> warnings = input_warnings(model);
   if (is_lay_operation(description->operation.type)) {
     if (const auto obstacle = operation_obstacle(*description)) {
       warnings.push_back("the stages of the operation cannot be solved: " + failed_end(*obstacle, *description).why);
     }
   }
-  std::ranges::copy(material_warnings(model), std::back_inserter(warnings));
-  const std::vector<std::string> doubts = print_raos(model);
-  warnings.insert(warnings.end(), doubts.begin(), doubts.end());
+  print_raos(model);
   std::transform(warnings.begin(), warnings.end(), warnings.begin(), without_mark);
   print_list("Assumptions", assumptions(model));
   print_list("Warnings", warnings);

@@ -14,10 +14,12 @@
 #include "app/warning_lines.h"
 #include "base/constants.h"
 #include "report/places.h"
+#include "report/warning_weight.h"
 #include "runstore/staged_folder.h"
 #include "statics/moored_lay.h"
 #include "statics/moored_statics.h"
 #include "statics/statics.h"
+#include "study/input_warnings.h"
 #include "study/lines_run.h"
 #include "study/mooring_run.h"
 #include "study/prepared_case.h"
@@ -91,10 +93,19 @@ fs::path default_folder(const std::string& model_file) {
   return fs::path(model_file).stem().string() + ".results";
 }
 
+/// A failure with what the numbers of the model are warned of: the culprit is often among it.
+int tell_failure(const StaticFailure& failure, const Model& model) {
+  const int code = tell(failed_end(failure, model.description));
+  for (const WeighedWarning& warning : weighed(input_warnings(model))) {
+    if (warning.weight != WarningWeight::caution) std::cerr << "  warning: " << warning.text << "\n";
+  }
+  return code;
+}
+
 /// A hull and its mooring lines, without a pipe.
 int run_static_moorings(const Description& description, Model& model, const fs::path& folder) {
   LayOutcome outcome = solve_moored_hull(model);
-  if (outcome.failure) return tell(failed_end(*outcome.failure, description));
+  if (outcome.failure) return tell_failure(*outcome.failure, model);
   MooringResults& results = *outcome.moorings;
   tell_hull(model, results);
   try {
@@ -124,7 +135,7 @@ int run_static(const StaticArguments& arguments) {
   Model model = build_model(*description);
   if (is_moored_hull(*description)) return run_static_moorings(*description, model, folder);
   const LayOutcome outcome = solve_lay(model);
-  if (outcome.failure) return tell(failed_end(*outcome.failure, *description));
+  if (outcome.failure) return tell_failure(*outcome.failure, model);
   StaticResults results = checked_statics(model, outcome);
   tell_friction(model, outcome, results);
   tell_hull(model, results);

@@ -53,7 +53,8 @@ Field roller_size(const std::string& key, const Member& member, const std::strin
           .unit = "m",
           .show = "m",
           .required = true,
-          .range = {.low = 0.0, .high = high, .low_open = true}};
+          .range = {.low = 0.0, .high = high, .low_open = true},
+          .usual = {.low = 5e-3, .high = high}};
 }
 
 /// The boxes of a structure, or of a section of it, at `path`.

@@ -41,6 +41,14 @@ void check_steel(Checker& check, const FieldValue& section, const FieldValue& pi
   if (diameter != nullptr && wall != nullptr && wall->number >= 0.5 * diameter->number) {
     check.error(*at_wall, "a wall of " + wall->shown,
                 "less than the pipe's radius, " + format_quantity(0.5 * diameter->number, "m", "mm"));
+  } else if (diameter != nullptr && wall != nullptr) {
+    constexpr double kThickest = 4.0, kThinnest = 150.0;
+    const double ratio = diameter->number / wall->number;
+    if (ratio < kThickest || ratio > kThinnest) {
+      check.warn(*at_wall, wall->shown + " gives a diameter over wall thickness of " + format_number(ratio, 3) +
+                               "; pipelines have " + format_number(kThickest) + " to " + format_number(kThinnest) +
+                               ": are the units right?");
+    }
   }
   const auto [yield, strength, at_strength] = steel_pair(section, pipe, "yield_stress", "tensile_strength");
   if (yield != nullptr && strength != nullptr && strength->number < yield->number) {

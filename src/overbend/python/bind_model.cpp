@@ -7,6 +7,7 @@
 #include "python/given.h"
 #include "python/model_handle.h"
 #include "python/without_lock.h"
+#include "study/input_warnings.h"
 
 namespace overbend {
 namespace {
@@ -88,7 +89,8 @@ void add_model(py::module_& module) {
       .def_property_readonly("has_pipe", [](const GivenModel& model) { return model->still().has_pipe; })
       .def_property_readonly("assumptions",
                              [](const GivenModel& model) { return assumptions(build_model(whole(model))); })
-      .def_property_readonly("warnings", [](const GivenModel& model) { return whole(model).warnings; });
+      .def_property_readonly("warnings",
+                             [](const GivenModel& model) { return input_warnings(build_model(whole(model))); });
 }
 
 }  // namespace overbend

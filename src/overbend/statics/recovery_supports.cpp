@@ -8,6 +8,7 @@
 
 #include "base/constants.h"
 #include "mechanics/contact_damage.h"
+#include "model/box_dip.h"
 
 namespace overbend {
 namespace {
@@ -259,7 +260,7 @@ Departure recover_supports(StaticResults& results, const StaticSystem& system, c
     result.stinger = box.structure == Structure::stinger;
     result.p_W = point_from_ramp(model, model.mean_pose, box.point_S);
     result.astern = box.point_S.x();
-    result.inclination = box.inclination;
+    result.inclination = box_dip(model.mean_pose, box);
     result.length = box.length;
     Vec3 force = Vec3::Zero();
     std::optional<double> beside;

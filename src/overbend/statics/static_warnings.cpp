@@ -11,6 +11,7 @@
 #include "model/material_words.h"
 #include "results/fields/words.h"
 #include "results/regions.h"
+#include "statics/support_outlier.h"
 
 namespace overbend {
 namespace {
@@ -94,55 +95,30 @@ void warn_of_bed(Warnings& list, const Model& model) {
                              names_of(below), tip ? ", the stinger's tip among them" : ""));
 }
 
-void warn_of_shoe(Warnings& list, const StaticResults& results) {
-  if (results.stern_shoe_W.z() >= 0.0) return;
+void warn_of_shoe(Warnings& list, const Model& model) {
+  const double height = point_from_ramp(model, model.mean_pose, Vec3::Zero()).z();
+  if (height >= 0.0) return;
   list.push_back(
       fmt::format("the stern shoe is {:.2f} m below the water; ramp and stinger depend on it, so check "
                   "vessel.stern_shoe.z, the trim and the draught",
-                  -results.stern_shoe_W.z()));
+                  -height));
 }
 
-/// A box and how far it stands off the line through its neighbours.
-struct Proud {
-  const SupportBox* box = nullptr;
-  double height = 0.0;     ///< Above that line, across it [m].
-  double curvature = 0.0;  ///< Of the circle through the three [1/m].
-};
-
-Proud proud_of(const SupportBox& before, const SupportBox& box, const SupportBox& after) {
-  const auto flat = [](const Vec3& p) { return Eigen::Vector2d(p.x(), p.z()); };
-  const Eigen::Vector2d a = flat(before.point_S), b = flat(box.point_S), c = flat(after.point_S);
-  const double chord = (c - a).norm(), first = (b - a).norm(), second = (c - b).norm();
-  if (std::min({chord, first, second}) <= 0.0) return {};
-  const double twice_area = (c - a).x() * (b - a).y() - (c - a).y() * (b - a).x();
-  return {&box, twice_area / chord, 2.0 * twice_area / (chord * first * second)};
-}
-
-/// Whether no stinger that a pipe is meant to follow is set so: a bend that yields it over a height beyond what is set
-/// out by eye, or one of many times that.
-bool out_of_line(const Proud& proud, double yields_at) {
-  const double bend = std::abs(proud.curvature) / yields_at, height = std::abs(proud.height);
-  return (bend > 2.0 && height > 0.2) || (bend > 5.0 && height > 0.05);
-}
-
-/// The box that stands furthest out of line. One out of line bends the circles through its neighbours too, each half as
-/// much the other way: of these it is the one that bends most.
-void warn_of_proud_box(Warnings& list, const Model& model) {
-  const SectionDescription& pipe = model.description_of(static_cast<std::size_t>(model.section_at(0.0)));
-  const double yields_at = 2.0 * pipe.steel.yield_stress / (pipe.steel.youngs_modulus * pipe.steel.outside_diameter);
-  const std::vector<SupportBox>& boxes = model.supports.boxes;
-  Proud worst;
-  for (std::size_t i = 1; i + 1 < boxes.size(); ++i) {
-    const Proud proud = proud_of(boxes[i - 1], boxes[i], boxes[i + 1]);
-    if (std::abs(proud.curvature) > std::abs(worst.curvature)) worst = proud;
-  }
-  if (worst.box == nullptr || yields_at <= 0.0 || !out_of_line(worst, yields_at)) return;
-  list.push_back(
-      fmt::format("the box '{}' is {:.2f} m {} the line through its neighbours: a curvature of {:.4f} 1/m, {:.1f} "
-                  "times that at "
-                  "which the pipe yields; check its z and the sign of its offset",
-                  worst.box->name, std::abs(worst.height), worst.height > 0.0 ? "above" : "below",
-                  std::abs(worst.curvature), std::abs(worst.curvature) / yields_at));
+/// A clamped tensioner that does not point towards the first box.
+void warn_of_incline(Warnings& list, const Model& model) {
+  const TensionerDescription& tensioner = model.description.tensioner;
+  if (model.supports.boxes.empty() || tensioner.guide != Guide::clamped) return;
+  const Vec3& box = model.supports.boxes.front().point_S;
+  const double dx = box.x() - tensioner.x, dz = box.z() + 0.5 * model.sections.front().outer_diameter - tensioner.z;
+  const double off = tensioner.incline - std::atan2(-dz, dx), bend = 2.0 * std::abs(off) / std::hypot(dx, dz);
+  const SteelDescription& steel = model.description_of(static_cast<std::size_t>(model.section_at(0.0))).steel;
+  const double yields_at = 2.0 * steel.yield_stress / (steel.youngs_modulus * steel.outside_diameter);
+  if (std::abs(off) < 5.0 * kDegree || bend < 1.5 * yields_at) return;
+  list.push_back(fmt::format(
+      "the tensioner holds the pipe at {:.1f} deg while the first box lies {:.1f} deg {} it: check "
+      "tensioner.incline "
+      "and the place of the tensioner",
+      tensioner.incline * kToDegrees, std::abs(std::atan2(dz, dx)) * kToDegrees, dz < 0.0 ? "below" : "above"));
 }
 
 /// Concrete that stops at the field joints makes the pipe bend most there.
@@ -163,22 +139,6 @@ void warn_of_structures_beyond(Warnings& list, const Model& model, const StaticR
   const double last = pipe_ends(model.description), end = std::min(results.total_length, last);
   for (const StructureDescription& structure : model.description.pipe.structures) {
     if (!structure.at) continue;
-/// A bed that rises out of the water where the pipe lies on it. Stations run from the anchor.
-void warn_of_land(Warnings& list, const Model& model, const StaticResults& results) {
-  const BedSurface& bed = model.seabed.surface;
-  const auto dry = [&](const Station& station) {
-    return station.s <= results.touchdown.s && bed.height(station.p_W.x(), station.p_W.y()) > 0.0;
-  };
-  const auto landmost = std::find_if(results.stations.rbegin(), results.stations.rend(), dry);
-  if (results.touchdown.s <= 0.0 || landmost == results.stations.rend()) return;
-  const bool whole = bed.height(results.touchdown.p_W.x(), results.touchdown.p_W.y()) > 0.0;
-  list.push_back(
-      fmt::format("the seabed leaves the water under the laid pipe, which {} from {:.1f} m astern of the stern shoe "
-                  "on: is the slope, "
-                  "or the depth of the file, of the right sign?",
-                  whole ? "touches down on land and lies there" : "lies on land", landmost->astern));
-}
-
     const double middle = *structure.at + pipe_gone(model.description), half = 0.5 * structure.length;
     if (middle + half < end) continue;
     list.push_back(fmt::format(
@@ -202,7 +162,22 @@ void warn_of_slope(Warnings& list, const Model& model, const StaticResults& resu
       "that its tension depends on where its far end is held (environment.seabed.friction.axial)",
       fall > 0.0 ? "falls" : "rises", std::abs(std::atan(fall)) / kDegree, friction));
 }
-  warn_of_land(list, model, results);
+
+/// A bed that rises out of the water where the pipe lies on it. Stations run from the anchor.
+void warn_of_land(Warnings& list, const Model& model, const StaticResults& results) {
+  const BedSurface& bed = model.seabed.surface;
+  const auto dry = [&](const Station& station) {
+    return station.s <= results.touchdown.s && bed.height(station.p_W.x(), station.p_W.y()) > 0.0;
+  };
+  const auto landmost = std::find_if(results.stations.rbegin(), results.stations.rend(), dry);
+  if (results.touchdown.s <= 0.0 || landmost == results.stations.rend()) return;
+  const bool whole = bed.height(results.touchdown.p_W.x(), results.touchdown.p_W.y()) > 0.0;
+  list.push_back(
+      fmt::format("the seabed leaves the water under the laid pipe, which {} from {:.1f} m astern of the stern shoe "
+                  "on: is the slope, "
+                  "or the depth of the file, of the right sign?",
+                  whole ? "touches down on land and lies there" : "lies on land", landmost->astern));
+}
 
 /// An equilibrium, but hardly that of the lay that is meant.
 void warn_of_last_resort(Warnings& list, const StaticResults& results) {
@@ -218,19 +193,27 @@ std::string pipe_place(const StaticResults& results, double s) {
   return fmt::format("{:.1f} m from the tensioner ({})", results.total_length - s, word(regions(results).of(s)));
 }
 
+std::vector<std::string> lay_warnings(const Model& model) {
+  Warnings list;
+  warn_of_bed(list, model);
+  warn_of_shoe(list, model);
+  if (const auto outlier = support_outlier(model)) list.push_back(outlier_words(*outlier));
+  warn_of_incline(list, model);
+  warn_of_field_joints(list, model);
+  std::ranges::copy(material_warnings(model), std::back_inserter(list));
+  return list;
+}
+
 void warn_statics(const Model& model, StaticResults& results) {
   Warnings& list = results.warnings;
   warn_of_last_resort(list, results);
   warn_of_slack(list, results);
   warn_of_yield(list, model, results);
   warn_of_strain_beside_stiff_stretches(list, model, results);
-  std::ranges::copy(material_warnings(model), std::back_inserter(list));
-  warn_of_bed(list, model);
-  warn_of_shoe(list, results);
-  warn_of_proud_box(list, model);
-  warn_of_field_joints(list, model);
+  for (std::string& warning : lay_warnings(model)) list.push_back(std::move(warning));
   warn_of_structures_beyond(list, model, results);
   warn_of_slope(list, model, results);
+  warn_of_land(list, model, results);
 }
 
 }  // namespace overbend

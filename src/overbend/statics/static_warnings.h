@@ -14,6 +14,9 @@ namespace overbend {
 /// laid. Appended to `results.warnings`.
 void warn_statics(const Model& model, StaticResults& results);
 
+/// Those of them that the model alone gives, in its pose.
+std::vector<std::string> lay_warnings(const Model& model);
+
 /// A place along the pipe for a sentence: "at 12.3 m from the tensioner (overbend)".
 std::string pipe_place(const StaticResults& results, double s);
 

@@ -13,6 +13,7 @@
 #include "statics/static_start.h"
 #include "statics/static_ways.h"
 #include "statics/steady_laying.h"
+#include "statics/support_outlier.h"
 #include "statics/touchdown.h"
 
 namespace overbend {
@@ -145,15 +146,18 @@ StaticOutcome give_up(const StaticCase& at, double hanging) {
   }
   const std::string what =
       at.left.empty() ? "no equilibrium found" : "no equilibrium found: the pipe runs off its rollers";
-  return fail({what, where,
-               fmt::format("neither Newton's method, nor hardening the rollers, raising the current or lowering the "
-                           "tension in steps, nor dynamic relaxation converged{} (last residual {:.1e} of the line's "
-                           "weight). The tension is "
-                           "{:.2f} times the suspended weight of plain pipe; near 1 the pipe goes into compression at "
-                           "the seabed. Otherwise look for a box far off the curve of its neighbours, or a current too "
-                           "strong for so light a pipe{}",
-                           at.spent() ? " within the limit of computational effort" : "", at.report.force_residual,
-                           at.target.value / hanging, at.left)});
+  const std::optional<SupportOutlier> outlier = support_outlier(at.system.model());
+  return fail(
+      {what, where,
+       (outlier ? outlier_words(*outlier) + ". N" : "n") +
+           fmt::format("either Newton's method, nor hardening the rollers, raising the current or lowering the "
+                       "tension in steps, nor dynamic relaxation converged{} (last residual {:.1e} of the line's "
+                       "weight). The tension is "
+                       "{:.2f} times the suspended weight of plain pipe; near 1 the pipe goes into compression at "
+                       "the seabed. Otherwise look for a box far off the curve of its neighbours, or a current too "
+                       "strong for so light a pipe{}",
+                       at.spent() ? " within the limit of computational effort" : "", at.report.force_residual,
+                       at.target.value / hanging, at.left)});
 }
 
 /// What the state has of what is wanted: of a tension by the balance of the whole line, which says nothing of strains.
