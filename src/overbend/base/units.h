@@ -1,8 +1,8 @@
 /// Quantities with units: text such as "406.4 mm" to SI and back, by UDUNITS-2.
 ///
 /// A dimension is named by its SI unit: "m", "N", "N/m", "N/m^2", "N/m^3", "s", "rad", "m/s", ... Angles are a
-/// dimension of their own here (UDUNITS alone would take "3 deg" where a plain ratio is wanted). Spellings of this trade
-/// are added to the library's own (base/unit_spelling.h). All functions may be called from several threads.
+/// dimension of their own here (UDUNITS alone would take "3 deg" where a plain ratio is wanted). Spellings of this
+/// trade are added to the library's own (base/unit_spelling.h). All functions may be called from several threads.
 #pragma once
 
 #include <optional>
