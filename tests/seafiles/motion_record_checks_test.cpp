@@ -190,6 +190,38 @@ TEST(motion_record_checks, a_recorder_that_stops_is_warned_of) {
   }
 }
 
+TEST(motion_record_checks, a_few_rows_that_stand_still_are_told_by_the_digits_of_the_record) {
+  const auto held_for = [](double time, int decimals) {
+    const Motion motion = random_motion();
+    const auto held = [=](double t) {
+      Row row = motion(t);
+      if (t >= 100.0 && t < 100.0 + time) row[2] = 0.0;
+      return row;
+    };
+    return says(read(held, {0.5, 1200, decimals}).warnings, "heave_m is 0 m in ");
+  };
+  EXPECT_TRUE(held_for(4.0, 4));
+  EXPECT_TRUE(held_for(4.0, 3));
+  EXPECT_FALSE(held_for(4.0, 1));  // so does a crest, written in tenths
+  EXPECT_TRUE(held_for(30.0, 2));
+}
+
+TEST(motion_record_checks, a_row_of_zeros_in_every_column_is_warned_of) {
+  const Motion motion = random_motion();
+  const auto blank = [&](double t) { return t == 60.0 ? Row{} : motion(t); };
+  EXPECT_TRUE(says(read(blank).warnings, "motion.csv:122: warning: all columns are 0 at t = 60 s: did"))
+      << joined(read(blank).warnings);
+  const auto from_rest = [&](double t) { return t < 60.0 ? Row{} : motion(t); };
+  EXPECT_FALSE(says(read(from_rest).warnings, "all columns are 0"));
+}
+
+TEST(motion_record_checks, values_that_are_held_over_several_rows_are_warned_of) {
+  const Motion motion = random_motion();
+  const auto stairs = [&](double t) { return motion(std::floor(t)); };
+  EXPECT_TRUE(says(read(stairs, {0.25, 2400, 4}).warnings, "heave_m repeats the value before in 75 % of its rows"))
+      << joined(read(stairs, {0.25, 2400, 4}).warnings);
+}
+
 TEST(motion_record_checks, a_mean_away_from_the_nominal_place_is_warned_of) {
   const Row means = {47.0, -20.0, 2.0, 8.0, 6.0, 30.0};
   for (std::size_t k = 0; k < 6; ++k) {

@@ -66,6 +66,7 @@ class RecordChecker {
       if (record_.given[k]) check_freedom(k);
     }
     check_angles();
+    check_blank_rows();
   }
 
  private:
@@ -148,7 +149,8 @@ class RecordChecker {
          fmt::format("{} leaps by {} in {:.4g} s, from {:.5g} to {:.5g} at t = {:.6g} s{}{}; the vessel, and with it "
                      "the pipe, is thrown by it",
                      kMotionColumns[freedom], shown(change, freedom), step, values[row - 1], values[row], time_[row],
-                     sentinel_words(values[row]), leap_words(worst, freedom, leaps.size())));
+                     sentinel_words(is_sentinel(values[row - 1]) ? values[row - 1] : values[row]),
+                     leap_words(worst, freedom, leaps.size())));
   }
 
   /// The largest; of a spike the row that stands out, not the one behind it.
@@ -167,6 +169,7 @@ class RecordChecker {
   }
 
   void check_runs(std::size_t freedom, const std::vector<double>& values) {
+    if (check_stairs(freedom, values)) return;
     const std::optional<EqualRun> run = find_frozen_run(time_, values);
     if (!run) return;
     warn(run->first,
@@ -176,12 +179,39 @@ class RecordChecker {
                      time_[run->first], time_[run->last], sentinel_words(values[run->first])));
   }
 
+  /// A channel of a lower rate, whose values are held: the spline through the rows goes up and down its stairs.
+  bool check_stairs(std::size_t freedom, const std::vector<double>& values) {
+    constexpr double kShare = 0.45;  // of rows
+    const double share = held_share(values);
+    if (share < kShare || crossing_period(time_, values) <= 0.0) return false;
+    warn(0, fmt::format("{} repeats the value before in {:.0f} % of its rows: its recorder is slower than the time "
+                        "column; leave the repeated rows out",
+                        kMotionColumns[freedom], 100.0 * share));
+    return true;
+  }
+
   void check_resolution(std::size_t freedom, const std::vector<double>& values) {
     constexpr double kFewest = 5.0;  // rows in a period, for a spline that is within some per cent
     const double period = crossing_period(time_, values), rows = period / median(differences(time_));
     if (period <= 0.0 || rows >= kFewest || !finely_written(values)) return;
     warn(0, fmt::format("{} has {:.2g} rows in its mean period of {:.3g} s: peaks are cut off", kMotionColumns[freedom],
                         rows, period));
+  }
+
+  /// Rows of zeros in every column: what recorders and tables write where they have no value.
+  void check_blank_rows() {
+    constexpr double kRare = 1e-6;
+    const auto& rows = record_.history.freedoms;
+    auto expected = static_cast<double>(rows.size());
+    for (std::size_t k = 0; k < kBounds.size(); ++k) expected *= chance_of_zero(column(record_.history, k));
+    if (expected > kRare) return;
+    const auto blank = [](const auto& row) { return std::ranges::all_of(row, [](double x) { return x == 0.0; }); };
+    const auto first = std::find_if(rows.begin() + 1, rows.end(), blank);
+    if (first == rows.end() || blank(rows.front())) return;  // a record that begins at rest
+    const auto row = static_cast<std::size_t>(first - rows.begin());
+    const auto more = std::count_if(first + 1, rows.end(), blank);
+    warn(row, fmt::format("all columns are 0 at t = {:.6g} s{}: did the recorder stop?", time_[row],
+                          more > 0 ? fmt::format(" and in {} later rows", more) : std::string()));
   }
 
   /// Radians under headings that say degrees: angles of some hundredths in a motion that is felt.

@@ -4,8 +4,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/constants.h"
+
 namespace overbend {
 namespace {
+
+constexpr double kNormalPeak = 0.4;  // density of the normal distribution at its mean
 
 /// Smallest change between rows that is not zero, the last digit of the record; 0 where nothing changes.
 double resolution(const std::vector<double>& steps) {
@@ -44,6 +48,36 @@ double acceleration_before(const std::vector<double>& time, const std::vector<do
   const double change = (values[i + 1] - values[i]) / after - (values[i] - values[i - 1]) / before;
   return std::abs(change) / (0.5 * (before + after));
 }
+
+/// Judges whether a run of equal values, written to a last digit q, can be motion: its speed v has to be below q / T
+/// and its acceleration below 8 q / T^2 for the time T.
+struct RunJudge {
+  const std::vector<double>& time;
+  std::vector<double> rates;
+  double digit, period;
+
+  double lasts(const EqualRun& run) const { return time[run.last] - time[run.first]; }
+
+  /// Upper quartile of the rates within half a period beside the run.
+  double rate_beside(const EqualRun& run) const {
+    const double reach = std::max(0.5 * period, 2.0 * lasts(run) / static_cast<double>(run.last - run.first));
+    std::vector<double> beside;
+    for (std::size_t k = run.first; k-- > 0 && time[run.first] - time[k] <= reach;) beside.push_back(rates[k]);
+    for (std::size_t k = run.last; k < rates.size() && time[k] - time[run.last] <= reach; ++k) {
+      beside.push_back(rates[k]);
+    }
+    return quantile(std::move(beside), 0.75);
+  }
+
+  /// Number of such runs that a Gaussian motion, which moves as beside this one, is expected to have.
+  double expected(const EqualRun& run) const {
+    const double duration = lasts(run), speed = rate_beside(run), acceleration = speed * kTurn / period;
+    if (!(speed > 0.0)) return kInfinity;
+    const double slow = std::min(1.0, kNormalPeak * digit / (duration * speed));
+    const double straight = std::min(1.0, 8.0 * kNormalPeak * digit / (duration * duration * acceleration));
+    return slow * straight * (time.back() - time.front()) / duration;
+  }
+};
 
 }  // namespace
 
@@ -118,21 +152,38 @@ std::vector<Leap> find_leaps(const std::vector<double>& time, const std::vector<
   return leaps;
 }
 
+double held_share(const std::vector<double>& values) {
+  constexpr double kLarge = 5.0;  // last digits: smaller steps are those of a slow motion
+  const std::vector<double> steps = differences(values);
+  std::vector<double> moving;
+  for (const double step : steps) {
+    if (step != 0.0) moving.push_back(std::abs(step));
+  }
+  const auto held = static_cast<double>(steps.size() - moving.size()) / static_cast<double>(steps.size());
+  return median(std::move(moving)) > kLarge * resolution(steps) ? held : 0.0;
+}
+
+double chance_of_zero(const std::vector<double>& values) {
+  const double size = deviation(values);
+  return size > 0.0 ? std::min(1.0, kNormalPeak * resolution(differences(values)) / size) : 1.0;
+}
+
 std::optional<EqualRun> find_frozen_run(const std::vector<double>& time, const std::vector<double>& values) {
-  // A crest of amplitude a, rounded to q, stays the same for sqrt(q / a) / pi of its period: a tenth where a is ten q.
-  constexpr double kOfPeriod = 0.5;
-  constexpr std::size_t kFewest = 5;
+  constexpr double kRare = 1e-3, kPeriods = 2.0;
   const double period = crossing_period(time, values);
-  if (period <= 0.0 || !finely_written(values)) return std::nullopt;
-  EqualRun longest{0, 0};
+  if (period <= 0.0) return std::nullopt;
+  const RunJudge judge{time, rates_between(time, values), resolution(differences(values)), period};
+  const bool fine = finely_written(values);
+  std::optional<EqualRun> longest;
   for (std::size_t first = 0, i = 1; i <= values.size(); ++i) {
     if (i < values.size() && values[i] == values[first]) continue;
-    if (time[i - 1] - time[first] > time[longest.last] - time[longest.first]) longest = {first, i - 1};
+    const EqualRun run{first, i - 1};
     first = i;
+    const double lasts = judge.lasts(run);
+    if (run.last - run.first < 2 || (longest && lasts <= judge.lasts(*longest))) continue;
+    if (judge.expected(run) < kRare || (fine && lasts >= kPeriods * period)) longest = run;
   }
-  const bool frozen =
-      longest.last - longest.first + 1 >= kFewest && time[longest.last] - time[longest.first] >= kOfPeriod * period;
-  return frozen ? std::optional(longest) : std::nullopt;
+  return longest;
 }
 
 }  // namespace overbend

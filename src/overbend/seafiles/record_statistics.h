@@ -45,8 +45,14 @@ struct EqualRun {
   std::size_t first, last;
 };
 
-/// The longest run of equal values in a channel that moves otherwise, where it lasts longer than crests of the motion,
-/// written with as many digits, can.
+/// The longest run of equal values in a channel that moves otherwise, where the motion beside it, written with as many
+/// digits, cannot stand so still.
 std::optional<EqualRun> find_frozen_run(const std::vector<double>& time, const std::vector<double>& values);
+
+/// Share of the rows that repeat the value before in a channel that otherwise changes by many last digits.
+double held_share(const std::vector<double>& values);
+
+/// Chance that a row of a normally distributed motion is written as 0.
+double chance_of_zero(const std::vector<double>& values);
 
 }  // namespace overbend
