@@ -224,6 +224,8 @@ TEST(coupled_hull, numbers_that_no_hull_of_its_size_has_are_warned_of) {
        "0.075 times the length"},
       {"from the stern", g, "x: 61 m, y: 0 m, z: 0.818 m", c + "centre_of_gravity.x", "outside of the hull"},
       {"off the side", g, "x: 0 m, y: 16 m, z: 0.818 m", c + "centre_of_gravity.y", "outside of the hull"},
+      {"far ahead", g, "x: 40 m, y: 0 m, z: 0.818 m", c + "centre_of_gravity.x", "the waterplane is at 40 m"},
+      {"off the centreline", g, "x: 0 m, y: -3 m, z: 0.818 m", c + "centre_of_gravity.y", "the waterplane is at -3 m"},
       {"above the keel", g, "x: 0 m, y: 0 m, z: 6 m", c + "centre_of_gravity.z", "outside of the hull"},
       {"a brackish sea", "water_depth: 89 m", "water_depth: 89 m\n  water_weight_density: 9.95 kN/m^3",
        c + "convention.water_density", "differ by 1.0 %"},

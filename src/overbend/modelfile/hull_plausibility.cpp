@@ -30,6 +30,7 @@ class HullChecker {
     if (!hull_.data) return;
     check_mass();
     check_metacentres();
+    check_flotation();
     check_density();
   }
 
@@ -134,6 +135,25 @@ class HullChecker {
                       "rights itself; do the files refer to this centre of gravity?",
                       freedom, height));
     }
+  }
+
+  /// The centre of the waterplane, which the files give from the centre of gravity, near midship and the centreline.
+  void check_flotation() {
+    constexpr double kOfLength = 0.1, kOfBeam = 0.05;
+    const Mat6& stiffness = hull_.data->hydrostatic_stiffness;
+    const Vec3& g = hull_.centre_of_gravity;
+    check_flotation_along("x", g.x(), -stiffness(2, 4) / stiffness(2, 2), vessel_.length, kOfLength);
+    check_flotation_along("y", g.y(), stiffness(2, 3) / stiffness(2, 2), vessel_.beam, kOfBeam);
+  }
+
+  void check_flotation_along(const char* axis, double gravity, double arm, double size, double share) {
+    const double place = gravity + arm;
+    if (std::abs(gravity) > 0.5 * size || std::abs(place) <= share * size) return;
+    report(
+        Severity::warning, std::string("centre_of_gravity.") + axis,
+        fmt::format("with the centre of gravity at {:.4g} m the centre of the waterplane is at {:.4g} m, by the files' "
+                    "stiffness; usual is within {:.3g} m of {}: do the files refer to the centre of gravity?",
+                    gravity, place, share * size, axis[0] == 'x' ? "midship" : "the centreline"));
   }
 
   void check_density() {
