@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <numbers>
 
 #include "modelfile/model_texts.h"
@@ -187,6 +188,45 @@ TEST(spectrum_reader, a_value_that_stands_for_none_is_refused_and_a_lone_peak_wa
   EXPECT_NE(said("-999", Severity::error).find("where they have no value"), std::string::npos);
   EXPECT_NE(said("12", Severity::warning).find("10 times the next largest density"), std::string::npos);
   EXPECT_EQ(said("3", Severity::warning) + said("3", Severity::error), "");
+}
+
+/// Rows of a JONSWAP-like hump of 8 s and a height of 2 m.
+std::string hump(const std::function<double(int, double)>& density, double unit = 1.0) {
+  std::string text = "omega_rad_s,density_m2s\n";
+  for (int i = 0; i < 40; ++i) {
+    const double omega = 0.3 + 0.04 * i;
+    text += std::to_string(omega * unit) + "," + std::to_string(density(i, omega) / unit) + "\n";
+  }
+  return text;
+}
+
+double swell_of_8_s(int, double omega) {
+  return 0.6 * std::exp(-std::pow((omega - 0.785) / 0.2, 2));
+}
+
+TEST(spectrum_reader, values_that_stand_for_none_are_refused_in_several_rows_too) {
+  for (const int last : {25, 30, 39}) {
+    Diagnostics diagnostics;
+    const auto density = [&](int i, double omega) { return i >= 25 && i <= last ? 9.99 : swell_of_8_s(i, omega); };
+    read_spectrum_text(hump(density), "a.csv", diagnostics);
+    const std::vector<std::string> lines = diagnostics.lines(Severity::error);
+    ASSERT_EQ(lines.size(), 1U) << last;
+    EXPECT_NE(lines[0].find("a.csv:27: density_m2s: found 9.99, as recorders"), std::string::npos) << lines[0];
+  }
+}
+
+TEST(spectrum_reader, a_sea_that_no_wind_raises_is_warned_of) {
+  const auto warned = [](const std::string& text) {
+    Diagnostics diagnostics;
+    read_spectrum_text(text, "a.csv", diagnostics);
+    const std::vector<std::string> lines = diagnostics.lines(Severity::warning);
+    return lines.empty() ? std::string() : lines.front();
+  };
+  EXPECT_EQ(warned(hump(swell_of_8_s)), "");
+  EXPECT_NE(warned(hump(swell_of_8_s, 0.5 / std::numbers::pi)).find("are the frequencies in rad/s?"),
+            std::string::npos);
+  const auto in_cm = [](int i, double omega) { return 100.0 * swell_of_8_s(i, omega); };
+  EXPECT_NE(warned(hump(in_cm)).find("seas break at about 0.1"), std::string::npos) << warned(hump(in_cm));
 }
 
 }  // namespace

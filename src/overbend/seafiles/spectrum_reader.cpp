@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -117,7 +118,9 @@ class SpectrumReader {
       complain("", std::to_string(points_.size()) + " rows", "at least 2 rows");
     } else {
       const double height = sea_statistics(points_).hs;
+      check_sentinels();
       check_peak();
+      check_sea();
       if (!(height > 0.0)) complain(columns_->density, "0 in every row", "a spectrum with energy");
       if (height > kHighestSea) {
         complain(columns_->density, "a sea with a significant wave height of " + format_quantity(height, "m", "m", 3),
@@ -126,25 +129,61 @@ class SpectrumReader {
     }
   }
 
-  /// One row that towers over all others: what stands for no value, or a slip.
+  double written(const SpectrumPoint& point) const { return point.density / columns_->to_density; }
+
+  /// Larger of the densities beside the rows that repeat that of row `i`.
+  double density_beside(std::size_t i) const {
+    const auto other = [&](const SpectrumPoint& point) { return point.density != points_[i].density; };
+    const auto place = points_.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto after = std::find_if(place, points_.end(), other);
+    const auto before = std::find_if(std::make_reverse_iterator(place), points_.rend(), other);
+    return std::max(after != points_.end() ? after->density : 0.0, before != points_.rend() ? before->density : 0.0);
+  }
+
+  /// What stands for no value is no part of a curve.
+  void check_sentinels() {
+    constexpr double kApart = 3.0;
+    for (std::size_t i = 0; i < points_.size() && points_.size() > 3; ++i) {
+      const double density = written(points_[i]);
+      if (!is_sentinel(density) || points_[i].density < kApart * density_beside(i)) continue;
+      line_ = lines_[i];
+      complain(columns_->density, format_number(density) + kNoValueWords, "a density, or no row");
+      line_ = 0;
+      return;
+    }
+  }
+
+  void warn(int line, std::string remark) {
+    diagnostics_.add({Severity::warning, path_, line, 0, columns_->density, std::move(remark), "", ""});
+  }
+
+  /// One row that towers over all others.
   void check_peak() {
     constexpr double kTower = 5.0;
     const auto less = [](const SpectrumPoint& p, const SpectrumPoint& q) { return p.density < q.density; };
     const auto peak = std::max_element(points_.begin(), points_.end(), less);
     double next = 0.0;
     for (auto p = points_.begin(); p != points_.end(); ++p) next = p == peak ? next : std::max(next, p->density);
-    const double density = peak->density / columns_->to_density;
-    if (points_.size() < 4 || peak->density < kTower * next) return;
-    line_ = lines_[static_cast<std::size_t>(peak - points_.begin())];
-    if (is_sentinel(density)) {
-      complain(columns_->density, format_number(density) + kNoValueWords, "a density, or no row");
-    } else {
-      diagnostics_.add({Severity::warning, path_, line_, 0, columns_->density,
-                        format_number(density) + " is " + format_number(peak->density / next, 2) +
-                            " times the next largest density: the sea is nearly a regular wave",
-                        "", ""});
+    if (!good_ || points_.size() < 4 || peak->density < kTower * next) return;
+    warn(lines_[static_cast<std::size_t>(peak - points_.begin())],
+         format_number(written(*peak)) + " is " + format_number(peak->density / next, 2) +
+             " times the next largest density: the sea is nearly a regular wave");
+  }
+
+  /// Seas that no wind raises: a unit, or a column, that is not what its head says.
+  void check_sea() {
+    constexpr double kShortest = 1.5, kLongest = 30.0, kBreaking = 0.1;  // [s], [s], height over length of mean waves
+    const SeaStatistics sea = sea_statistics(points_);
+    if (!good_ || !(sea.tz > 0.0)) return;
+    const double steepness = kTurn * sea.hs / (9.81 * sea.tz * sea.tz);
+    if (sea.tp < kShortest || sea.tp > kLongest) {
+      warn(0, "the peak of the spectrum is at a period of " + format_number(sea.tp, 3) +
+                  " s; those of seas are between " + format_number(kShortest) + " and " + format_number(kLongest) +
+                  " s: are the frequencies in " + (columns_->to_omega == 1.0 ? "rad/s" : "Hz") + "?");
+    } else if (steepness > kBreaking) {
+      warn(0, "the sea has " + sea_statistics_words(points_) + ", a steepness of " + format_number(steepness, 2) +
+                  "; seas break at about " + format_number(kBreaking) + ": are frequencies and densities right?");
     }
-    line_ = 0;
   }
 
   std::string path_;
