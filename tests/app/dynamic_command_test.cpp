@@ -57,6 +57,14 @@ TEST(dynamic_command, prints_what_the_run_warns_of_and_what_its_statics_do) {
   }
 }
 
+TEST(dynamic_command, tells_before_the_run_that_nothing_moves_in_it) {
+  const std::string still = with(with(kSmallLay, kWaves, "waves: {type: none}"), kMoving, "motion: fixed");
+  const TemporaryFolder folder;
+  const ProgramRun run = run_dynamic_model(folder, still, "--duration '0.5 s'");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out.find("  warning: nothing moves in the dynamic analysis"), 0U) << run.out;
+}
+
 TEST(dynamic_command, writes_all_files_and_prints_the_key_results) {
   const TemporaryFolder folder;
   const ProgramRun run = run_dynamic_model(folder, kSmallLay);

@@ -12,6 +12,9 @@
 #include "app/mooring_lines.h"
 #include "app/seeds_lines.h"
 #include "app/warning_lines.h"
+#include "model/model.h"
+#include "model/model_warnings.h"
+#include "report/warning_weight.h"
 #include "resultfiles/dynamic_reader.h"
 #include "results/warnings.h"
 #include "study/lines_run.h"
@@ -145,6 +148,7 @@ int run_dynamic(const DynamicArguments& arguments) {
   } catch (const std::invalid_argument& fault) {
     return tell({RunEnding::wrong_input, fault.what()});
   }
+  std::cout << warning_lines(serious_warnings(model_warnings(build_model(*description)))) << std::flush;
   return run_plan(*description, plan, folder, arguments);
 }
 
