@@ -36,7 +36,6 @@ TEST(yaml_reader, a_key_that_comes_twice_is_found_among_very_many) {
   std::string text = "overbend: 1\n";
   for (int i = 0; i < 30000; ++i) text += "k" + std::to_string(i) + ": 1\n";
   const ModelReading reading = read_model_text(text + "k7: 1\n", "many.yaml");
-  EXPECT_GT(reading.diagnostics.error_count(), 30000);
   const std::vector<std::string> lines = reading.diagnostics.lines(Severity::error);
   EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
     return line.find(": k7") != std::string::npos && line.find("already in line 9") != std::string::npos;

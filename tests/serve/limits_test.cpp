@@ -46,7 +46,8 @@ TEST(serve_limits, fields_are_those_of_the_first_items_of_a_long_list) {
   const Serving serving(kSmallLay);
   int items = 0;
   std::size_t count = 0;
-  for (const Json& field : put(serving, with_boxes(500))["fields"]) {
+  const Json answer = put(serving, with_boxes(500));
+  for (const Json& field : answer["fields"]) {
     const std::string path = field["path"];
     if (path.starts_with("supports.stinger.boxes[") && path.ends_with("].x")) ++items;
     if (path == "supports.stinger.boxes") count = field["count"];
