@@ -135,5 +135,29 @@ TEST(serve_limits, a_long_solution_keeps_no_other_tab_waiting) {
   EXPECT_FALSE(waited);
 }
 
+TEST(serve_limits, changes_of_a_long_text_keep_no_other_tab_waiting) {
+  const Serving serving(kSmallLay);
+  put(serving, with_boxes(900));
+  const Json revision = serving.get("/api/model").json["revision"];
+  Json changes = Json::array();  // a second or more: each is made in the text anew
+  for (int i = 0; i < 100; ++i) {
+    changes.push_back({{"path", "supports.stinger.boxes[" + std::to_string(i) + "].z"}, {"value", "-9 m"}});
+  }
+  std::atomic<bool> ended{false};
+  Reply set;
+  std::thread other([&] {
+    set = serving.post("/api/model/set", {{"changes", changes}, {"revision", revision}});
+    ended = true;
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const Json seen = serving.get("/api/model").json["revision"];
+  const bool waited = ended;
+  other.join();
+  EXPECT_EQ(seen, revision);
+  EXPECT_FALSE(waited);
+  EXPECT_EQ(set.status, 200) << set.body;
+  EXPECT_EQ(serving.get("/api/model").json["revision"], revision.get<int>() + 1);
+}
+
 }  // namespace
 }  // namespace overbend

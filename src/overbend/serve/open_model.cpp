@@ -80,11 +80,14 @@ ModelText OpenModel::set(const std::vector<YamlChange>& changes, std::int64_t re
   std::unique_lock<std::mutex> hold(mutex_);
   require(revision, hold);
   ModelText next = model_;
+  hold.unlock();  // many changes of a long text take seconds
   try {
-    next.text = edit_yaml(model_.text, changes);
+    next.text = edit_yaml(next.text, changes);
   } catch (const YamlEditFault& fault) {
     throw HttpFault(422, fault.what());
   }
+  hold.lock();
+  require(revision, hold);
   next.saved = next.saved && next.text == model_.text;
   return take(std::move(next));
 }
