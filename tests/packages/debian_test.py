@@ -43,7 +43,7 @@ class DebianPackages(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         place = pathlib.Path(cls.folder.name)
         said("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", place / "made", "-D",
-             "CPACK_DEBIAN_COMPRESSION_TYPE=gzip", cwd=BUILD)
+             "CPACK_DEBIAN_COMPRESSION_TYPE=gzip", cwd=BUILD, umask=0o077)
         cls.packages = {said("dpkg-deb", "--field", file, "Package").strip(): file
                         for file in (place / "made").glob("*.deb")}
         cls.root = place / "root"
