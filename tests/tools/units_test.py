@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Sources are compiled together only where their names allow it: tools/units.py."""
 
+import os
 import pathlib
 import subprocess
 import sys
@@ -10,6 +11,8 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 from units import named_units, units  # noqa: E402
+
+FOLDER = os.fsdecode("mit Leerzeichen und ü ".encode())  # as bytes, whatever the locale
 
 
 def hiding(text):
@@ -89,7 +92,7 @@ class Units(unittest.TestCase):
             self.assertEqual(sorted(made.values()), [["few", "few", "many"], ["many"] * 4])
 
     def test_names_of_units_are_words_whatever_the_folder_is_called(self):
-        with tempfile.TemporaryDirectory(prefix="mit Leerzeichen und ü ") as folder:
+        with tempfile.TemporaryDirectory(prefix=FOLDER) as folder:
             paths = [pathlib.Path(folder) / "tests" / f"{i}.cpp" for i in range(4)]
             paths[0].parent.mkdir()
             for path in paths:
@@ -111,7 +114,7 @@ compile_in_units(together 8 ${sources})
 
 class Build(unittest.TestCase):
     def test_sources_in_a_folder_with_blanks_and_umlauts_share_units(self):
-        with tempfile.TemporaryDirectory(prefix="mit Leerzeichen und ü ") as place:
+        with tempfile.TemporaryDirectory(prefix=FOLDER) as place:
             folder = pathlib.Path(place)
             (folder / "tools").mkdir()
             (folder / "tools" / "units.py").symlink_to(ROOT / "tools" / "units.py")
