@@ -106,7 +106,7 @@ bool LiveStatics::is_sound(const Parsed& text) {
 
 std::shared_ptr<const LiveStatics::Parsed> LiveStatics::parsed(const ModelText& model) {
   std::unique_lock<std::mutex> hold(mutex_);
-  const std::shared_ptr<const Parsed> before = parsed_;
+  std::shared_ptr<const Parsed> before = parsed_;
   hold.unlock();
   const auto unchanged = [&] { return !before->hull || stamps_of(*before->hull) == before->hull_stamps; };
   if (before && before->text == model.text && unchanged()) return before;
