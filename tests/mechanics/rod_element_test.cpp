@@ -76,9 +76,10 @@ TEST(rod_element, of_what_only_pulls_bears_no_compression_whatever_its_length) {
     const RodProperties rod{length, 5e8, 50.0, kSlackShare};
     const auto pull = [&](double strain) { return rod_force(rod, straight(strain, length)).force(6); };
     EXPECT_NEAR(pull(1e-3), 5e5, 1e-6 * 5e5);
-    EXPECT_NEAR(pull(0.0), 0.25 * 5e8 * kSlackStrain, 1e-9 * 5e3);  // in the middle of the transition
+    EXPECT_NEAR(pull(0.0), 0.25 * 5e8 * kSlackStrain, 1e-6 * 1250.0);  // in the middle of the transition
     EXPECT_NEAR(pull(-kSlackStrain), 0.0, 1e-2);
-    EXPECT_NEAR(pull(-0.1), 0.0, 5.1);  // of the share that stays: 5 N
+    EXPECT_NEAR(pull(-0.1), -5.9, 0.1);  // of the share that stays: 50 N (0.9 - 0.9^-3)/4
+    EXPECT_LT(pull(-0.99), -1e7);        // no element shrinks to nothing
   }
 }
 

@@ -35,12 +35,11 @@ inline void add_membrane_energy(const EnergySums& energy, const AxialConstants& 
       strain += kStrainMass[k][l] * at.strain[l];
       pressure += kStrainMass[k][l] * at.tension[l];
     }
-    const SlackLaw slack = slack_law(at.strain[k], axial.share),
-                   damped = slack_law(at.strain[k] + axial.damping * at.rate[k], axial.share);
-    const Lanes weight = energy.counts * axial.EA, own = kSlackWeight[k] * slack.twice_energy;
-    const Lanes linear = at.strain[k] * strain;
+    const Lanes weight = energy.counts * axial.EA, linear = at.strain[k] * strain;
+    const Lanes own = kSlackWeight[k] * twice_slack_energy(at.strain[k], axial.share);
+    const Lanes ahead = pulling_law(at.strain[k] + axial.damping * at.rate[k]).force;
     energy.sum->strain += 0.5 * weight * (rest > 0.0 ? own : linear);
-    energy.sum->line_loss += kSlackWeight[k] * weight * (damped.force - slack.force) * at.rate[k];
+    energy.sum->line_loss += kSlackWeight[k] * weight * rest * (ahead - pulling_law(at.strain[k]).force) * at.rate[k];
     energy.sum->fluid_power -= energy.counts * pressure * at.rate[k];
   }
 }

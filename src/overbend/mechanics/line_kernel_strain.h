@@ -181,19 +181,36 @@ struct StrainForces {
   Lanes by_rate[3];  ///< Of each by its own rate; set where elements only pull.
 };
 
-/// Of what only pulls, over EA: force, its slope, twice its energy.
+/// Of what only pulls, over EA: force and its slope.
 struct SlackLaw {
-  Lanes force, slope, twice_energy;
+  Lanes force, slope;
 };
 
-inline SlackLaw slack_law(const Lanes& strain, const Lanes& share) {
-  constexpr double kThird = kSlackStrain * kSlackStrain / 3.0;
-  const Lanes rest = 1.0 - share, grown = (0.5 / kSlackStrain) * strain + 0.5;
+/// How far the pulling part is from none, 0, to the line N = EA e, 1.
+inline Lanes taut_share(const Lanes& strain) {
+  const Lanes grown = (0.5 / kSlackStrain) * strain + 0.5;
   const Lanes above = grown > 0.0 ? grown : Lanes{};
-  const Lanes x = above < 1.0 ? above : all(1.0);
-  const Lanes pulls = above < 1.0 ? kSlackStrain * x * x : strain;
-  const Lanes stored = above < 1.0 ? 4.0 * kThird * x * x * x : strain * strain + kThird;
-  return {share * strain + rest * pulls, share + rest * x, share * strain * strain + rest * stored};
+  return above < 1.0 ? above : all(1.0);
+}
+
+/// The part that pulls, before its share.
+inline SlackLaw pulling_law(const Lanes& strain) {
+  const Lanes x = taut_share(strain);
+  return {x < 1.0 ? kSlackStrain * x * x : strain, x};
+}
+
+/// The part that is left in compression, before its share.
+inline SlackLaw left_law(const Lanes& strain) {
+  const Lanes x = 1.0 + strain, inverse = 1.0 / (x * x);
+  return {0.25 * x * (1.0 - inverse * inverse), 0.25 + 0.75 * inverse * inverse};
+}
+
+/// Twice the energy of both.
+inline Lanes twice_slack_energy(const Lanes& strain, const Lanes& share) {
+  constexpr double kThird = kSlackStrain * kSlackStrain / 3.0;
+  const Lanes x = taut_share(strain), length = 1.0 + strain, squared = length * length;
+  const Lanes stored = x < 1.0 ? 4.0 * kThird * x * x * x : strain * strain + kThird;
+  return 0.25 * share * (squared + 1.0 / squared - 2.0) + (1.0 - share) * stored;
 }
 
 inline void add_pressure(StrainForces& f, const Membrane& at) {
@@ -221,10 +238,11 @@ inline __attribute__((noinline)) StrainForces forces_with_slack(const Membrane& 
   StrainForces f = linear_forces(at, axial.EA);
   const Lanes rest = 1.0 - axial.share;
   for (int k = 0; k < 3; ++k) {
-    const SlackLaw law = slack_law(at.strain[k] + axial.damping * at.rate[k], axial.share);
-    const Lanes weight = kSlackWeight[k] * axial.EA, slope = weight * law.slope;
-    const Lanes own = (1.0 + axial.velocity_share * axial.damping) * slope;
-    f.force[k] = rest > 0.0 ? weight * law.force : f.force[k];
+    const SlackLaw left = left_law(at.strain[k]), pulls = pulling_law(at.strain[k] + axial.damping * at.rate[k]);
+    const Lanes weight = kSlackWeight[k] * axial.EA, pulling = weight * rest, pushed = weight * axial.share;
+    const Lanes slope = pulling * pulls.slope;
+    const Lanes own = pushed * left.slope + (1.0 + axial.velocity_share * axial.damping) * slope;
+    f.force[k] = rest > 0.0 ? pushed * left.force + pulling * pulls.force : f.force[k];
     f.by_rate[k] = rest > 0.0 ? axial.damping * slope : Lanes{};
     for (int l = 0; l < 3; ++l) {
       const Lanes slack = l == k ? own : Lanes{};

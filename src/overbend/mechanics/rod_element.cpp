@@ -33,15 +33,16 @@ void add_membrane(const RodProperties& rod, const ElementVector& q, const RodMot
   if (rod.compression < 1.0) {
     for (int k = 0; k < 3; ++k) {
       const double rate = gradient[k].dot(motion.v);
-      const AxialLaw at_rest = axial_law(strain[k], rod.compression);
-      const AxialLaw law = axial_law(strain[k] + rod.damping * rate, rod.compression);
+      const AxialLaw at_rest = axial_law(strain[k], strain[k], rod.compression);
+      const AxialLaw law = axial_law(strain[k], strain[k] + rod.damping * rate, rod.compression);
       const double w = kSlackWeight[k] * rod.length * rod.EA;
       const ElementVector ahead =
           (1.0 + rod.damping * motion.velocity_share) * gradient[k] + rod.damping * hessian[k] * motion.v;
       result.energy += w * at_rest.energy;
       result.loss += w * (law.force - at_rest.force) * rate;
       result.force += w * law.force * gradient[k];
-      result.stiffness += w * (law.slope * gradient[k] * ahead.transpose() + law.force * hessian[k]);
+      result.stiffness += w * gradient[k] * (law.slope * gradient[k] + law.slope_ahead * ahead).transpose();
+      result.stiffness += w * law.force * hessian[k];
     }
     return;
   }

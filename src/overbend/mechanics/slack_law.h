@@ -1,17 +1,18 @@
 /// Axial law of what only pulls: chains, ropes, wires. Numbers alone: the element kernel reads them.
 ///
-///     N = EA (share e + (1 - share) p(e)),    p(e) = 0          e <= -d
-///                                                    (e + d)^2/(4 d)
-///                                                    e          e >= d
+///     N = EA (share f(e) + (1 - share) p(e + time e')),    p(e) = 0                e <= -d
+///                                                                 (e + d)^2/(4 d)
+///                                                                 e                e >= d
 ///
-/// with e = strain + time * rate of strain, and share = 1, time = 0 for pipes: N = EA strain. The transition is in
-/// strain and the same for elements of all lengths. Strain that comes and goes costs energy, and none of it is pushed.
+/// with f(e) = ((1 + e) - (1 + e)^-3)/4, which is e where that is small, and without bounds where an element shrinks to
+/// nothing. For pipes N = EA e. The transition is in strain and the same for elements of all lengths. Strain that comes
+/// and goes costs energy, and none of it is pushed.
 #pragma once
 
 namespace overbend {
 
 inline constexpr double kSlackStrain = 1e-5;  ///< d [-]
-/// Share of EA that what only pulls keeps in compression, so that a slack line has some stiffness along itself: 5 N in
+/// Share of EA that what only pulls keeps in compression, so that a slack line has some stiffness along itself: 6 N in
 /// a chain of 5e8 N that is pushed together by a tenth of its length [-].
 inline constexpr double kSlackShare = 1e-7;
 

@@ -12,9 +12,9 @@ StrainPoint strain_point(const LineElements& elements, std::size_t e, const Node
   const Eigen::Vector4d slope = hermite(0.5 * k, elements.length[e]).first;
   const Vec3 a = q * slope;
   const double stretch = a.norm(), strain = stretch - 1.0, rate = a.dot(v * slope) / stretch;
-  const double share = elements.compression[e], ahead = strain + elements.damping[e] * rate;
-  const double force = kSlackWeight[k] * elements.length[e] * elements.EA[e] *
-                       (axial_law(ahead, share).force - axial_law(strain, share).force);
+  const double ahead = strain + elements.damping[e] * rate, rest = 1.0 - elements.compression[e];
+  const double force = kSlackWeight[k] * elements.length[e] * elements.EA[e] * rest *
+                       (pulling_law(ahead).force - pulling_law(strain).force);
   return {strain, force, force * rate};
 }
 
