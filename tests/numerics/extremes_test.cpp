@@ -196,7 +196,7 @@ TEST(extremes, of_rare_impacts_are_not_told_by_a_short_record) {
 }
 
 TEST(extremes, of_rare_impacts_are_near_the_truth_in_three_hours) {
-  double error = 0.0, least = 1e30;
+  double error = 0.0;
   int held = 0;
   constexpr int kRecords = 40;
   for (const int every : {20, 100}) {
@@ -205,14 +205,24 @@ TEST(extremes, of_rare_impacts_are_near_the_truth_in_three_hours) {
       const ExtremeFit fit = fit_extremes(light_with_impacts(3.0, every, seed), 1.0, kThreeHours);
       EXPECT_EQ(fit.quality, ExtremeQuality::uncertain);
       EXPECT_EQ(fit.doubt, ExtremeDoubt::rare);
+      EXPECT_GE(fit.estimate.value, fit.observed);
       error += (fit.estimate.value / truth - 1.0) / kRecords;
-      least = std::min(least, fit.estimate.value / truth);
       held += fit.estimate.low <= truth && truth <= fit.estimate.high;
     }
   }
-  EXPECT_NEAR(error, 0.0, 0.15);  // the largest of three hours scatters by a third of it
-  EXPECT_GT(least, 0.5);          // what a fit to the light ones says is a third
+  // Not low on average; the largest of three hours, which no estimate is below, is higher by 0.577 of the mean of 8.
+  EXPECT_GT(error, 0.0);
+  EXPECT_LT(error, 0.4);
   EXPECT_GE(held, kRecords * 7 / 10);
+}
+
+TEST(extremes, of_a_regular_motion_are_its_crest_though_rows_meet_it_here_and_there) {
+  std::vector<double> values;
+  for (int i = 0; i < 20000; ++i) values.push_back(std::sin(2.0 * std::numbers::pi * i * 0.5 / 7.3));
+  const ExtremeFit fit = fit_extremes(values, 0.5, kThreeHours);
+  EXPECT_EQ(fit.method, ExtremeMethod::regular);
+  EXPECT_EQ(fit.quality, ExtremeQuality::good);
+  EXPECT_NEAR(fit.estimate.value, 1.0, 1e-3);
 }
 
 TEST(extremes, of_weibull_peaks_are_weibulls_in_19_of_20_records) {

@@ -108,14 +108,14 @@ void judge(ExtremeFit& fit, ExtremeQuality quality, ExtremeDoubt doubt) {
 
 /// Of rare events: a record as long as the reference time holds them, a shorter one does not.
 void choose_rare(ExtremeFit& fit, std::span<const double> peaks, double expected_peaks) {
-  constexpr double kAlmost = 0.99;  // a record begins and ends with crossings
+  constexpr double kAlmost = 0.99, kLonger = 1.5;  // a record begins and ends with crossings
   const double times = static_cast<double>(peaks.size()) / expected_peaks;
   const auto tail = fit_pareto_tail(peaks, static_cast<std::size_t>(static_cast<double>(peaks.size()) / kRareShare));
   if (tail) fit.pareto = confident(*tail, expected_peaks);
   if (times < kAlmost) return judge(fit, ExtremeQuality::none, ExtremeDoubt::rare);
   fit.method = tail && tail->described ? ExtremeMethod::pareto : ExtremeMethod::observed;
   fit.estimate = tail ? *fit.pareto : fit.estimate;
-  raise_to(peak_at_rank(peaks, times), fit.estimate);
+  raise_to(times < kLonger ? fit.observed : peak_at_rank(peaks, times), fit.estimate);
   fit.estimate.high = std::max(fit.estimate.high, fit.observed);
   judge(fit, ExtremeQuality::uncertain, ExtremeDoubt::rare);
 }
@@ -130,10 +130,20 @@ void choose_pareto(ExtremeFit& fit, std::span<const double> peaks, double mean, 
   judge(fit, few ? std::max(quality, ExtremeQuality::uncertain) : quality, ExtremeDoubt::wide);
 }
 
+/// Whether the larger half of the peaks are the same, but for how rows meet a crest.
+bool are_alike(std::span<const double> peaks, double mean) {
+  constexpr double kAlike =
+      0.02;  // of their height; a crest met by 20 rows a period is up to 1.2 % higher than its row
+  std::vector<double> sorted(peaks.begin(), peaks.end());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::ranges::nth_element(sorted, middle);
+  const double most = std::ranges::max(peaks);
+  return most - *middle <= kAlike * (most - mean);
+}
+
 /// The estimate of those that there are, and what it is worth.
 void choose(ExtremeFit& fit, std::span<const double> peaks, double mean, double expected_peaks, bool rare) {
-  const auto [least, most] = std::ranges::minmax(peaks);
-  if (least == most) {
+  if (are_alike(peaks, mean)) {
     fit.method = ExtremeMethod::regular;
     return judge(fit, ExtremeQuality::good, ExtremeDoubt::none);
   }

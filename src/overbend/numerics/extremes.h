@@ -25,7 +25,7 @@ RecordPeaks peaks_between_up_crossings(std::span<const double> values);
 /// What an estimate was made by.
 enum class ExtremeMethod {
   none,
-  regular,   ///< All peaks are the same.
+  regular,   ///< The larger peaks are the same.
   weibull,   ///< A Weibull distribution of the upper half of the peaks.
   pareto,    ///< A generalised Pareto distribution of the peaks over a threshold.
   observed,  ///< The largest peaks of a record of the reference time or more.
@@ -67,9 +67,9 @@ struct ExtremeFit {
 /// likelihood on the largest of blocks of consecutive peaks, as many blocks as the root of the number of peaks, but at
 /// least ten. `expected_peaks` is the number of peaks in the time for which the largest value is wanted, > 1. The
 /// estimate is Weibull's where its distribution describes the largest peaks, else that of a generalised Pareto tail; it
-/// is not below the largest peak of a record shorter than half of that time. `rare`: peaks are of events between which
-/// the quantity rests: what they reach is not extrapolated.
-/// When all peaks are equal, as in a regular wave, the estimates are that value.
+/// is not below the largest peak of a record shorter than half of that time. `rare`: peaks are of events between
+/// which the quantity rests: what they reach is not extrapolated. When the larger peaks are equal, as in a regular
+/// wave, the estimate is that value.
 ExtremeFit fit_peaks(std::span<const double> peaks, double mean, double expected_peaks, bool rare = false);
 
 /// Most probable largest value in `reference_time` [s] of a record with values `step` [s] apart.
