@@ -39,6 +39,13 @@ TEST(step_scales, of_small_models_follow_froudes_law) {
   EXPECT_NEAR(fiftieth.force / tenth.force, std::pow(0.2, 3), 1e-12);
 }
 
+TEST(step_scales, of_lines_by_themselves_follow_their_length) {
+  Description d = testing::chain_case(50.0, 2.0);
+  EXPECT_DOUBLE_EQ(step_scales(build_model(d)).length, 1e-3);
+  d.lines[0].segments[0].length.value() *= 0.02;
+  EXPECT_NEAR(step_scales(build_model(d)).length, 2e-5, 1e-6);
+}
+
 TEST(step_scales, follow_the_shortest_period_that_is_told) {
   Description d = testing::chain_case(50.0, 2.0);
   d.lines[0].second.period = 2.0;

@@ -1,6 +1,7 @@
 #include "dynamics/system_run.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "dynamics/hull_limits.h"
 #include "dynamics/parting.h"
@@ -13,6 +14,13 @@ namespace {
 
 constexpr double kUnlimited = 1e300;
 constexpr double kFarShorter = 0.3;  ///< Than the step taken, the one that its tension asks for: it is taken again.
+
+/// Ends that give way take the force of jerks themselves, and settle in steps of usual length only.
+bool follows_snaps(const System& system) {
+  return std::ranges::none_of(system.attachments, [](const Attachment& held) {
+    return held.winch || held.holding < std::numeric_limits<double>::infinity();
+  });
+}
 
 }  // namespace
 
@@ -89,7 +97,8 @@ double SystemRun::watched_tension(std::size_t watch) const {
 
 /// After a step of `h` just tried [s].
 double SystemRun::longest_by_tension(double h) const {
-  const ShortestSteps shortest{kShortStep * options_.time_scale, kEventStep * options_.time_scale};
+  const double usual = kShortStep * options_.time_scale;
+  const ShortestSteps shortest{usual, follows_snaps(system_) ? kEventStep * options_.time_scale : usual};
   double longest = options_.max_step;
   for (std::size_t i = 0; i < watches_.size(); ++i) {
     longest = std::min(longest, watches_[i].longest_step(watched_tension(i), h, shortest));
@@ -119,7 +128,8 @@ bool SystemRun::attempt(double h, double target) {
   }
   failure_ = hull_failure(system_, next_);
   if (failure_) return false;
-  if (const double longest = longest_by_tension(h); !options_.fixed_step && longest < kFarShorter * h) {
+  const double longest = longest_by_tension(h);
+  if (!options_.fixed_step && follows_snaps(system_) && longest < kFarShorter * h) {
     ++report_.rejected_steps;  // a line snapped within it
     chooser_.wanted = longest;
     return false;

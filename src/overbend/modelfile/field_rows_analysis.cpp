@@ -241,7 +241,7 @@ std::vector<Field> analysis() {
                "more in proportion beside elements of moorings longer than 5 m.",
        .unit = "m",
        .show = "mm",
-       .fallback_text = "1 mm, or for a slender pipe or a short line less: D/250, L/50000",
+       .fallback_text = "1 mm, or for a slender pipe or a short line less: D/250, L/400000",
        .range = {.low = 0.0, .high = 1.0, .low_open = true}},
       {.path = d + ".seeds",
        .member = taken_by<DynamicSettings>(count_seeds),
