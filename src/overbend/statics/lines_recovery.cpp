@@ -35,6 +35,15 @@ LineEndResult end_of(const LineAssembly& line, const std::vector<double>& q, Lin
   return end;
 }
 
+/// Where all that meets at a node only pulls, its tension is the whole force: a slack element beside a kink leaves the
+/// direction of the node free, and nothing there bears a force across the line.
+double tension_at(const LineElements& elements, std::size_t node, const Vec3& force, const Vec3& tangent) {
+  const std::size_t last = static_cast<std::size_t>(elements.count) - 1;
+  const bool pushed =
+      elements.compression[std::min(node, last)] == 1.0 || elements.compression[node > 0 ? node - 1 : 0] == 1.0;
+  return pushed ? force.dot(tangent) : force.norm();
+}
+
 std::vector<LineNodeResult> nodes_of(const LineAssembly& line, const std::vector<double>& q) {
   std::vector<LineNodeResult> nodes;
   for (std::size_t node = 0; node < line.line().mesh.s.size(); ++node) {
@@ -42,7 +51,9 @@ std::vector<LineNodeResult> nodes_of(const LineAssembly& line, const std::vector
     LineNodeResult one;
     one.s = line.line().mesh.s[node];
     one.place = Vec3Map(q.data() + 6 * node);
-    one.tension = one.least_tension = one.largest_tension = cut_at_node(line.cuts(), q, node).force.dot(tangent);
+    const Vec3 force = cut_at_node(line.cuts(), q, node).force;
+    one.tension = tension_at(line.line().elements, node, force, tangent);
+    one.least_tension = one.largest_tension = one.tension;
     nodes.push_back(one);
   }
   return nodes;
