@@ -160,7 +160,7 @@ double held_share(const std::vector<double>& values) {
     if (step != 0.0) moving.push_back(std::abs(step));
   }
   const auto held = static_cast<double>(steps.size() - moving.size()) / static_cast<double>(steps.size());
-  return median(std::move(moving)) > kLarge * resolution(steps) ? held : 0.0;
+  return median(moving) > kLarge * resolution(steps) ? held : 0.0;
 }
 
 double chance_of_zero(const std::vector<double>& values) {
