@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/lines_in_time.h"
+#include "mechanics/slack_law.h"
 #include "model/line_types.h"
 #include "support/line_cases.h"
 #include "support/lumped_chain.h"

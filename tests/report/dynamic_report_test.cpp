@@ -51,8 +51,27 @@ TEST(dynamic_report, stands_alone_and_stays_below_a_size_that_mail_carries) {
 TEST(dynamic_report, gives_the_extremes_of_mooring_lines_a_table_of_their_own) {
   DynamicResults results = example();
   EXPECT_EQ(page_of(results).find("extremes of the mooring lines"), std::string::npos);
-  results.extremes.push_back(
-      {"mooring/port bow/fairlead_tension", "N", false, 40, 4e5, 4.2e5, 4e5, 4.4e5, 4.2e5, 4e5, 4.4e5, true});
+  results.extremes.push_back({"mooring/port bow/fairlead_tension",
+                              "N",
+                              false,
+                              40,
+                              4e5,
+                              4.2e5,
+                              4e5,
+                              4.4e5,
+                              "Weibull",
+                              "good",
+                              "",
+                              4.2e5,
+                              4e5,
+                              4.4e5,
+                              4.2e5,
+                              4e5,
+                              4.4e5,
+                              {},
+                              {},
+                              {},
+                              true});
   const std::string page = page_of(results);
   const std::size_t lay = page.find("Most probable extremes in three hours");
   const std::size_t lines = page.find("Most probable extremes of the mooring lines in three hours");

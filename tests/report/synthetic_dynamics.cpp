@@ -295,8 +295,8 @@ DynamicResults synthetic_dynamics(const StaticResults& statics, bool calm) {
   r.tensioner = {"controlled", 250e3,  240e3, 260e3, 2.5,   r.top_tension, {-0.4, 0.6, 0.05, 0.2},
                  312.5,        9800.0, 160.5, 420.0, 406.0, 13.5,          41,
                  39,           1};
-  r.energy = {2.1e3, 3.4e3, -1.2e3, 40.0, 5.0,   8.4e4, 6.1e4, -3.2e4, 0.0,
-              1.9e4, 6.0e4, 2.96e4, 0.0,  345.0, 9.1e6, {},    {}};
+  r.energy = {2.1e3, 3.4e3, -1.2e3, 40.0, 5.0, 8.4e4, 6.1e4, -3.2e4, 0.0,
+              1.9e4, 6.0e4, 2.96e4, 0.0,  0.0, 345.0, 9.1e6, {},     {}};
   r.run = {72'000, 31, 190'000, 41'000, 0.00039, 0.1, 84.2, kDuration / 84.2, "generalized-alpha, spectral radius 0.8"};
   fill_histories(r, statics);
   fill_extremes(r, calm);

@@ -233,7 +233,27 @@ std::string moored_page_in_time() {
                              "N",
                              {0.0, 0.05, 0.1, 0.15, 0.2},
                              {1e9, 2e8, 8e8, 3e8, 1e7}});
-  results.extremes.push_back({"vessel/offset", "m", false, 210, 3.4, 3.9, 3.6, 4.4, 4.0, 3.6, 4.5, true});
+  results.extremes.push_back({"vessel/offset",
+                              "m",
+                              false,
+                              210,
+                              3.4,
+                              3.9,
+                              3.6,
+                              4.4,
+                              "Weibull",
+                              "good",
+                              "",
+                              3.9,
+                              3.6,
+                              4.4,
+                              4.0,
+                              3.6,
+                              4.5,
+                              4.0,
+                              3.5,
+                              4.6,
+                              true});
   add_moored_dynamics(results);
   return report_html(of_hull_alone(std::move(rest)), results, example_text("moored-barge"));
 }
