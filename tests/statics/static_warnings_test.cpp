@@ -6,7 +6,6 @@
 #include <functional>
 #include <numbers>
 
-#include "report/warning_weight.h"
 #include "support/solved_case.h"
 
 namespace overbend {
@@ -32,13 +31,6 @@ TEST(static_warnings, a_sound_lay_has_none) {
   const std::vector<std::string> list =
       warnings_with([](Description& d, StaticResults&) { d.pipe.section.joint->strain_factor = 1.1; });
   EXPECT_TRUE(list.empty()) << list.front();
-}
-
-TEST(static_warnings, an_equilibrium_for_want_of_a_better_one_is_serious) {
-  const std::vector<std::string> list =
-      warnings_with([](Description&, StaticResults& r) { r.solve.last_resort = true; });
-  EXPECT_EQ(mentions(list, "no equilibrium was found in which the pipe lies on its rollers"), 1);
-  EXPECT_EQ(serious_warnings(list).size(), 1U);
 }
 
 TEST(static_warnings, compression_says_where_and_how_much) {

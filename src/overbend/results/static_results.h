@@ -170,9 +170,8 @@ struct StructureResult {
 
 /// How the solver got there.
 struct SolveReport {
-  std::string method;        ///< "newton", "dynamic_relaxation + newton", ...
-  bool last_resort = false;  ///< The pipe lies beside most of its boxes, and no way led to another equilibrium.
-  int iterations = 0;        ///< Newton iterations, all stages.
+  std::string method;  ///< "newton", "dynamic_relaxation + newton", ...
+  int iterations = 0;  ///< Newton iterations, all stages.
   int relaxation_steps = 0;
   double force_residual = 0.0;       ///< Largest unbalanced nodal force over the total weight.
   double wall_time = 0.0;            ///< Inside the solver [s].

@@ -219,8 +219,12 @@ struct BoxesLeft {
     if (first.empty()) return;
     results.warnings.push_back(fmt::format(
         "the pipe has left '{}'{} over the side to {}: it lies up to {:.2f} m beyond the ends of the bottom rollers, "
-        "which no longer hold it",
-        first, more > 0 ? fmt::format(" and {} more box{}", more, more > 1 ? "es" : "") : "", side, beside));
+        "which no longer hold it{}",
+        first, more > 0 ? fmt::format(" and {} more box{}", more, more > 1 ? "es" : "") : "", side, beside,
+        2 * (more + 1) > static_cast<int>(results.supports.size())
+            ? ". No equilibrium was found on most of its rollers: this is hardly the lay that is meant, and a run may "
+              "depart from it; check tension, current and the places of the boxes"
+            : ""));
   }
 };
 

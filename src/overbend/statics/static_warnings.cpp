@@ -179,14 +179,6 @@ void warn_of_land(Warnings& list, const Model& model, const StaticResults& resul
                   whole ? "touches down on land and lies there" : "lies on land", landmost->astern));
 }
 
-/// An equilibrium, but hardly that of the lay that is meant.
-void warn_of_last_resort(Warnings& list, const StaticResults& results) {
-  if (!results.solve.last_resort) return;
-  list.emplace_back(
-      "no equilibrium was found in which the pipe lies on its rollers: in this one it has left most of its boxes, and "
-      "a run may depart from it; check tension, current and the places of the boxes");
-}
-
 }  // namespace
 
 std::string pipe_place(const StaticResults& results, double s) {
@@ -206,7 +198,6 @@ std::vector<std::string> lay_warnings(const Model& model) {
 
 void warn_statics(const Model& model, StaticResults& results) {
   Warnings& list = results.warnings;
-  warn_of_last_resort(list, results);
   warn_of_slack(list, results);
   warn_of_yield(list, model, results);
   warn_of_strain_beside_stiff_stretches(list, model, results);

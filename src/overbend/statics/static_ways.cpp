@@ -332,7 +332,6 @@ struct Resort {
     if (!state) return false;
     at.state = *state;
     at.report.method = method + ", for want of a better end";
-    at.report.last_resort = true;
     at.report.force_residual = residual;
     set_whole(at);
     at.system.evaluate(at.state, true);

@@ -74,7 +74,7 @@ SensitivityLay::SensitivityLay(const Model& model, const StaticSolution& solutio
       solution_(&solution),
       held_(!same_pose(model.mean_pose, model.drawn_pose)),
       pipe_(model, solution),
-      stinger_(model, pipe_),
+      stinger_(model, solution, pipe_),
       still_(still_lay(model, solution)),
       results_(recovered(model, solution, still_results())) {}
 

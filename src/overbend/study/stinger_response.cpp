@@ -9,8 +9,10 @@
 namespace overbend {
 namespace {
 
-constexpr double kAtStop = 1e-9;     ///< [rad]
-constexpr double kSmallTurn = 1e-7;  ///< For differences [rad].
+constexpr double kAtStop = 1e-9;                              ///< [rad]
+constexpr double kLargestTurn = 1e-6, kSmallestTurn = 1e-12;  ///< For differences [rad].
+constexpr double kEven =
+    0.02;  ///< Difference of the two sides, of a moment's change: more is rounding of stiff contacts.
 
 /// The stop that a section lies at, from the limits of a description; the angle itself where it lies at none.
 double at_its_stop(const StingerSectionDescription& now, const StingerSectionDescription& rest, double angle) {
@@ -40,29 +42,45 @@ void set_stinger(Model& model, const Model& at_rest, const std::vector<double>& 
   turn_stinger(model.supports, angles);
 }
 
-StingerResponse::StingerResponse(const Model& model, EquilibriumTangent& pipe) : model_(model) {
+StingerResponse::StingerResponse(const Model& model, const StaticSolution& rest, EquilibriumTangent& pipe)
+    : model_(model), rest_(&rest) {
   for (const std::size_t i : floating_sections(model.description.supports)) {
     if (!at_stop(model.description.supports.sections[i], model.supports.sections[i].angle)) free_.push_back(i);
   }
   const auto n = static_cast<Eigen::Index>(free_.size());
   Eigen::MatrixXd falls(n, n);
   for (Eigen::Index k = 0; k < n; ++k) {
-    std::vector<double> turns(model.supports.sections.size(), 0.0);
-    Model up = model, down = model;
-    turns[free_[static_cast<std::size_t>(k)]] = -kSmallTurn;
-    set_stinger(up, model, turns);
-    turns[free_[static_cast<std::size_t>(k)]] = kSmallTurn;
-    set_stinger(down, model, turns);
-    const std::optional<StaticPair> pair = pipe.follow(up, down);
-    if (!pair) {
+    const std::optional<Eigen::VectorXd> fall = fall_with(free_[static_cast<std::size_t>(k)], pipe);
+    if (!fall) {
       regular_ = false;
       return;
     }
-    falls.col(k) = (moments(up, pair->before) - moments(down, pair->after)) / (2.0 * kSmallTurn);
+    falls.col(k) = *fall;
   }
   if (n == 0) return;
   falls_.compute(falls);
   regular_ = falls_.rcond() > 1e-12;
+}
+
+/// Over turns so small that no contact changes: stiff rollers are pressed in by less than a micrometre. Nothing where
+/// what is left then is rounding.
+std::optional<Eigen::VectorXd> StingerResponse::fall_with(std::size_t section, EquilibriumTangent& pipe) const {
+  std::vector<double> turns(model_.supports.sections.size(), 0.0);
+  for (double turn = kLargestTurn; turn > kSmallestTurn; turn *= 0.1) {
+    Model up = model_, down = model_;
+    turns[section] = -turn;
+    set_stinger(up, model_, turns);
+    turns[section] = turn;
+    set_stinger(down, model_, turns);
+    const std::optional<StaticPair> pair = pipe.follow(up, down);
+    if (!pair) return std::nullopt;
+    if (!pair->contacts_stay) continue;
+    const Eigen::VectorXd at_rest = moments(model_, *rest_), above = moments(up, pair->before) - at_rest,
+                          below = at_rest - moments(down, pair->after);
+    if ((above - below).norm() > kEven * (above + below).norm()) return std::nullopt;
+    return (above + below) / (2.0 * turn);
+  }
+  return std::nullopt;
 }
 
 Eigen::VectorXd StingerResponse::moments(const Model& model, const StaticSolution& solution) const {

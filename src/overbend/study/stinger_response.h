@@ -2,6 +2,7 @@
 /// docs/theory/sensitivities.md.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/vec.h"
@@ -17,13 +18,14 @@ void set_stinger(Model& model, const Model& at_rest, const std::vector<double>& 
 
 class StingerResponse {
  public:
-  /// Of a lay at rest, whose tangent is `pipe`; both must outlive this. The pipe's part of the moments' stiffness is
+  /// Of a lay at rest, whose tangent is `pipe`; all must outlive this. The pipe's part of the moments' stiffness is
   /// found by following the equilibrium to two small turns of each section.
-  StingerResponse(const Model& model, EquilibriumTangent& pipe);
+  StingerResponse(const Model& model, const StaticSolution& rest, EquilibriumTangent& pipe);
 
   /// Whether any section may turn: one that floats, at no stop.
   bool turns() const { return !free_.empty(); }
-  /// False where the moments do not hold the stinger in place: it is about to turn over.
+  /// False where the moments do not hold the stinger in place: it is about to turn over; and where rollers are so stiff
+  /// that their forces are known too coarsely.
   bool regular() const { return regular_; }
 
   /// Moments about the hinges of the free sections, positive when they turn the tip down [N m].
@@ -34,7 +36,10 @@ class StingerResponse {
   std::vector<double> answer(const Eigen::VectorXd& change) const;
 
  private:
+  std::optional<Eigen::VectorXd> fall_with(std::size_t section, EquilibriumTangent& pipe) const;
+
   const Model& model_;
+  const StaticSolution* rest_;
   std::vector<std::size_t> free_;
   Eigen::PartialPivLU<Eigen::MatrixXd> falls_;  ///< Fall of the moments with the angles [N m/rad].
   bool regular_ = true;

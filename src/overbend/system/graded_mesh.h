@@ -20,9 +20,6 @@ struct MeshPlan {
   std::vector<FineStretch> fine;
   std::vector<double> fixed;  ///< Rising; a node on each, the last is the line's other end.
   double longest = 0.0;       ///< Element [m].
-  /// Nodes keep their distances from the end where the mesh begins, whatever the fixed places are: only the elements
-  /// beside these are stretched.
-  bool keeps_places = false;
 };
 
 /// Element length wanted at distance `u` [m].

@@ -48,7 +48,9 @@ void LineAssembly::set_last_element(double length) {
   if (!paid_ || paid_->count != line_->elements.count) {
     paid_ = line_->elements;
   }
-  paid_->length[static_cast<std::size_t>(paid_->count) - 1] = length;
+  const auto last = static_cast<std::size_t>(paid_->count) - 1;
+  paid_->length[last] = length;
+  paid_->damping[last] = 0.0;  // its strain does not come from the velocities of its nodes alone
 }
 
 double LineAssembly::energy_by_length(const LineShape& shape, const LineMotion& motion) const {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "model/lay_stage.h"
 #include "system/graded_mesh.h"
 
 namespace overbend {
@@ -51,9 +50,6 @@ MeshPlan plan_mesh(const Model& model, const MeshZones& zones) {
   const MeshSizes sizes = mesh_sizes(model, zones);
   MeshPlan plan;
   plan.longest = sizes.longest;
-  // A cable turns sharply on each roller: nodes that slid over the rollers with the length of the cable would scatter
-  // results.
-  plan.keeps_places = has_cable(model.description);
   plan.fine = {{0.0, zones.last_support, sizes.overbend},
                {zones.touchdown - sizes.touchdown_before, zones.touchdown + sizes.touchdown_after, sizes.touchdown}};
   if (model.seabed.surface.shape() != nullptr) refine_laid_line(plan, model, zones, sizes);
