@@ -20,11 +20,12 @@ LineElements rod_elements(const RodPipe& pipe, const std::vector<double>& length
   LineElements e;
   e.count = static_cast<int>(lengths.size());
   const std::size_t padded = (lengths.size() + kLanes - 1) / kLanes * kLanes;
-  for (AlignedDoubles* array : {&e.EA, &e.EI, &e.weight, &e.buoyancy, &e.drag_normal, &e.drag_axial,
+  for (AlignedDoubles* array : {&e.EA, &e.EI, &e.damping, &e.weight, &e.buoyancy, &e.drag_normal, &e.drag_axial,
                                 &e.pressure_constant, &e.pressure_slope, &e.pressure_external}) {
     array->assign(padded, 0.0);
   }
   e.length.assign(padded, 1.0);
+  e.compression.assign(padded, 1.0);
   e.radius.assign(padded, pipe.radius);
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     e.length[i] = lengths[i];

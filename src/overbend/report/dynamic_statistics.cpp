@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "report/dynamic_sections.h"
@@ -114,10 +115,29 @@ std::vector<std::string> extreme_cells(const StaticResults& statics, const Dynam
     cells.push_back(value ? q.text(*low) + " to " + q.text(*high) : "");
   };
   put(e.estimate, e.low, e.high);
-  cells.push_back(e.method);
-  cells.push_back(e.remark.empty() ? e.quality : e.quality + ": " + e.remark);
+  cells.push_back(e.method.empty() || e.quality == "good" ? e.method : e.method + ", " + e.quality);
   put(e.gumbel, e.gumbel_low, e.gumbel_high);
   return cells;
+}
+
+/// Why estimates are not good, each reason once with the quantities that have it.
+std::string extreme_remarks(const DynamicResults& r, bool of_moorings) {
+  std::vector<std::pair<std::string, std::string>> reasons;
+  for (const ExtremeEstimate& e : r.extremes) {
+    if (is_of_moorings(e) != of_moorings || e.remark.empty()) continue;
+    const std::string name = quantity(e.name, e.units).name + (e.smallest ? ", smallest" : "");
+    const auto known = std::ranges::find(reasons, e.remark, &std::pair<std::string, std::string>::first);
+    if (known == reasons.end()) {
+      reasons.emplace_back(e.remark, name);
+    } else {
+      known->second += "; " + name;
+    }
+  }
+  std::string text;
+  for (const auto& [remark, names] : reasons) {
+    text += "<p class=\"small\">" + html::escape(names + ": " + remark) + ".</p>\n";
+  }
+  return text;
 }
 
 /// Of the lay, or of the mooring lines, which are many with long names. Empty where there are none.
@@ -132,18 +152,17 @@ std::string extremes_table(const StaticResults& statics, const DynamicResults& r
                      {"estimate", ""},
                      {"95 % interval", ""},
                      {"by", "", true},
-                     {"quality", "", true},
                      {"estimate", ""},
                      {"95 % interval", ""}},
                     of_moorings ? "dense" : "plain full");
-  table.groups({{"", 5}, {"Most probable in three hours", 4}, {"Gumbel, to compare", 2}});
+  table.groups({{"", 5}, {"Most probable in three hours", 3}, {"Gumbel, to compare", 2}});
   bool any = false;
   for (const ExtremeEstimate& e : r.extremes) {
     if (is_of_moorings(e) != of_moorings) continue;
     table.row(extreme_cells(statics, r, e));
     any = true;
   }
-  return any ? table.str() : "";
+  return any ? table.str() + extreme_remarks(r, of_moorings) : "";
 }
 
 std::string extremes(const StaticResults& statics, const DynamicResults& r) {

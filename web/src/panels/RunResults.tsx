@@ -1,4 +1,5 @@
 // The selected run: static values with minima and maxima over time, its warnings, its state.
+import { useState } from 'preact/hooks';
 import type { Lay, Region, RegionSummary, Run, RunSummary, Spread } from '../api/types';
 import { bullets, withoutPaths } from '../logic/warnings';
 import { display } from '../logic/show';
@@ -67,11 +68,12 @@ const extremeName = (name: string): string => name.replace(/^(support|mooring)\/
 /** Most probable extremes in three hours, and what they are worth. */
 function Extremes() {
   const d = runSummary.value?.dynamic;
+  const [open, setOpen] = useState(false);
   if (!d?.extremes.length) return null;
   return (
-    <details class="extremes">
+    <details class="extremes" onToggle={(e) => setOpen(e.currentTarget.open)}>
       <summary>Most probable in three hours</summary>
-      {d.non_stationary ? <p class="brief">None: {d.non_stationary}.</p> : (
+      {!open ? null : d.non_stationary ? <p class="brief">None: {d.non_stationary}.</p> : (
         <table class="minmax">
           <thead><tr><th scope="col" /><th scope="col">seen</th><th scope="col">in 3 h</th><th scope="col">quality</th></tr></thead>
           <tbody>
