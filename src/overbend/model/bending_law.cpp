@@ -230,8 +230,9 @@ MomentPoint monotonic(const BendingLaw& law, const LevelMix& mix, double curvatu
 
 double elastic_bending_stiffness(const SteelDescription& steel) {
   const std::vector<CurvePoint>& points = steel.material.moment_curvature;
-  if (steel.material.law == MaterialLaw::moment_curvature && !points.empty())
+  if (steel.material.law == MaterialLaw::moment_curvature && !points.empty()) {
     return points.front().y / points.front().x;
+  }
   return steel.youngs_modulus * second_moment(steel.outside_diameter, steel.wall_thickness);
 }
 

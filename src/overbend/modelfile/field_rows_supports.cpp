@@ -8,6 +8,8 @@
 namespace overbend::field_rows {
 namespace {
 
+constexpr Range kRows = {.low = 1.0, .high = 50.0};  ///< Boxes have 1 to 4.
+
 /// What the structure says of its boxes is bound before them, being above them in the table.
 BoxDescription& add_box(StructureKeys& keys, const FieldValue&) {
   const auto own = [&](const BoxDescription& box) { return box.structure == keys.structure; };
@@ -60,7 +62,6 @@ Field roller_size(const std::string& key, const Member& member, const std::strin
 /// The boxes of a structure, or of a section of it, at `path`.
 std::vector<Field> box_rows(const std::string& path, bool required) {
   const std::string b = path + "[]";
-  const Range rows = {.low = 1.0, .high = 50.0};  // boxes have 1 to 4
   return {
       {.path = path,
        .kind = FieldKind::list,
@@ -121,7 +122,7 @@ std::vector<Field> box_rows(const std::string& path, bool required) {
        .kind = FieldKind::integer,
        .text = "Roller rows of this box.",
        .fallback_text = "as for the structure",
-       .range = rows},
+       .range = kRows},
   };
 }
 
@@ -156,7 +157,7 @@ std::vector<Field> structure(Structure which, std::optional<double> SupportsDesc
        .member = defaults(&StructureKeys::rows),
        .kind = FieldKind::integer,
        .text = "Roller rows per box, evenly over its length.",
-       .range = {.low = 1.0, .high = 1000.0}},
+       .range = kRows},
   };
   if (which == Structure::stinger) {
     append(rows, stinger_section_rows(p));

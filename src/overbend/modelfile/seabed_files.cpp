@@ -49,9 +49,10 @@ double distance(const Area& a, const Vec3& p) {
 
 /// Whether the line from the stern shoe astern, along which the pipe is laid, meets the area soon.
 bool reaches(const Area& area, const Vec3& shoe, const Vec3& astern) {
-  constexpr double kSoon = 3000.0, kStep = 10.0;  // [m]
-  for (double x = 0.0; x <= kSoon; x += kStep) {
-    if (distance(area, shoe + x * astern) == 0.0) return true;
+  constexpr double kStep = 10.0;  // [m]
+  constexpr int kSoon = 300;      // steps
+  for (int i = 0; i <= kSoon; ++i) {
+    if (distance(area, shoe + i * kStep * astern) == 0.0) return true;
   }
   return false;
 }
@@ -69,7 +70,9 @@ std::optional<double> shore_astern(const Description& description) {
     return shore < reach ? std::optional(shore) : std::nullopt;
   }
   const auto shape = grid_shape(*bed.bathymetry);
-  for (double x = 0.0; x < reach; x += 5.0) {
+  constexpr double kStep = 5.0;  // [m]
+  for (int i = 0; i * kStep < reach; ++i) {
+    const double x = i * kStep;
     const Vec3 place = shoe + x * astern;
     if (bed_point(*shape, place.x(), place.y()).z > 0.0) return x;
   }

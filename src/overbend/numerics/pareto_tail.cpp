@@ -114,8 +114,10 @@ std::optional<ParetoTail> fit_pareto_tail(std::span<const double> peaks, std::si
   std::ranges::sort(sorted, std::greater<>());
   std::optional<ParetoTail> found;
   most = std::min(most, sorted.size() / 2);
-  for (double over = static_cast<double>(most); over >= static_cast<double>(kFewestOver); over /= kRise) {
+  double over = static_cast<double>(most);
+  while (over >= static_cast<double>(kFewestOver)) {
     const auto k = static_cast<std::size_t>(over);
+    over /= kRise;
     const double threshold = 0.5 * (sorted[k - 1] + sorted[k]);
     if (!(sorted.front() > threshold) || !(sorted[k - 1] > threshold)) continue;
     found = tail_over(peaks, threshold);

@@ -135,7 +135,7 @@ std::string extreme_remarks(const DynamicResults& r, bool of_moorings) {
   }
   std::string text;
   for (const auto& [remark, names] : reasons) {
-    text += "<p class=\"small\">" + html::escape(names + ": " + remark) + ".</p>\n";
+    text += fmt::format("<p class=\"small\">{}: {}.</p>\n", html::escape(names), html::escape(remark));
   }
   return text;
 }

@@ -31,8 +31,9 @@ void warn_of_yield(Warnings& list, const Model& model, const StaticResults& resu
   for (const Station& at : results.stations) {
     const Section& section = model.sections[static_cast<std::size_t>(model.section_at(results.total_length - at.s))];
     if (section.bending || section.kind == SectionKind::structure || at.yield_stress <= 0.0 ||
-        at.von_mises <= at.yield_stress)
+        at.von_mises <= at.yield_stress) {
       continue;
+    }
     if (worst == nullptr || at.von_mises / at.yield_stress > worst->von_mises / worst->yield_stress) worst = &at;
   }
   if (worst == nullptr) return;
@@ -48,8 +49,9 @@ double max_strain_beside(const StaticResults& results, const SectionSpan& span, 
   for (const Station& station : results.stations) {
     const double from_top = results.total_length - station.s;
     const double off = std::max(span.from - from_top, from_top - span.to);
-    if (off > 0.0 && off < 2.0 * diameter && station.kind == SectionKind::pipe)
+    if (off > 0.0 && off < 2.0 * diameter && station.kind == SectionKind::pipe) {
       strain = std::max(strain, station.strain);
+    }
   }
   return strain;
 }

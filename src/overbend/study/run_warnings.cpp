@@ -191,8 +191,8 @@ void warn_of_sea(const Description& description, DynamicResults& results) {
 }
 
 void warn_of_run(const Description& description, DynamicResults& results, std::span<const double> tension) {
-  if (is_irregular(description.environment.waves.type))
-    warn_of_short_run(results);  // the peaks of a regular wave are all alike
+  const bool alike = !is_irregular(description.environment.waves.type);  // the peaks of a regular wave
+  if (!alike) warn_of_short_run(results);
   warn_of_change(results);
   warn_of_still_vessel(results);
   warn_of_tension(results, tension);

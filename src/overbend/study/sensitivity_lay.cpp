@@ -114,7 +114,7 @@ std::optional<ResultPair> SensitivityLay::follow(const Description& before, cons
 }
 
 std::optional<StaticPair> SensitivityLay::push_pipe(int roller, double force, Model& low, Model& high) {
-  const std::optional<StaticPair> pushed = pipe_.push(roller, force);
+  std::optional<StaticPair> pushed = pipe_.push(roller, force);
   if (!pushed || !stinger_.turns()) return pushed;
   Eigen::VectorXd moments =
       0.5 * (stinger_.moments(*model_, pushed->after) - stinger_.moments(*model_, pushed->before));

@@ -9,8 +9,8 @@
 namespace overbend {
 namespace {
 
-constexpr double kAtStop = 1e-9;                              ///< [rad]
-constexpr double kLargestTurn = 1e-6, kSmallestTurn = 1e-12;  ///< For differences [rad].
+constexpr double kAtStop = 1e-9;       ///< [rad]
+constexpr double kLargestTurn = 1e-6;  ///< For differences [rad].
 constexpr double kEven =
     0.02;  ///< Difference of the two sides, of a moment's change: more is rounding of stiff contacts.
 
@@ -66,7 +66,9 @@ StingerResponse::StingerResponse(const Model& model, const StaticSolution& rest,
 /// what is left then is rounding.
 std::optional<Eigen::VectorXd> StingerResponse::fall_with(std::size_t section, EquilibriumTangent& pipe) const {
   std::vector<double> turns(model_.supports.sections.size(), 0.0);
-  for (double turn = kLargestTurn; turn > kSmallestTurn; turn *= 0.1) {
+  constexpr int kTries = 6;
+  for (int i = 0; i < kTries; ++i) {
+    const double turn = std::pow(0.1, i) * kLargestTurn;
     Model up = model_, down = model_;
     turns[section] = -turn;
     set_stinger(up, model_, turns);
