@@ -217,6 +217,10 @@ ExtremeFit fit_extremes(std::span<const double> values, double step, double refe
   const double expected = span > 0.0 ? static_cast<double>(record.peaks.size()) * reference_time / span : 0.0;
   ExtremeFit fit = fit_peaks(record.peaks, record.mean, expected, record.at_least > kRare);
   fit.observed = values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+  if (static_cast<double>(record.peaks.size()) < expected) {  // a longer time has no smaller largest value
+    raise_to(fit.observed, fit.weibull);
+    raise_to(fit.observed, fit.gumbel);
+  }
   const ConfidentEstimate observed{fit.observed, fit.observed, fit.observed};
   if (!fit.enough) fit.weibull = fit.gumbel = observed;
   if (fit.method == ExtremeMethod::none) fit.estimate = observed;

@@ -116,7 +116,7 @@ std::vector<std::string> extreme_cells(const StaticResults& statics, const Dynam
   };
   put(e.estimate, e.low, e.high);
   cells.push_back(e.method.empty() || e.quality == "good" ? e.method : e.method + ", " + e.quality);
-  put(e.gumbel, e.gumbel_low, e.gumbel_high);
+  put(e.estimate ? e.gumbel : std::nullopt, e.gumbel_low, e.gumbel_high);
   return cells;
 }
 

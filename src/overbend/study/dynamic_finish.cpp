@@ -85,21 +85,23 @@ ExtremeEstimate estimate(const HistoryColumn& column, const ExtremeFit& fit) {
   out.remark = doubt_words(fit.doubt);
   if (fit.quality != ExtremeQuality::none) {
     put(fit.estimate, out.estimate, out.low, out.high);
-    put(fit.gumbel, out.gumbel, out.gumbel_low, out.gumbel_high);
   }
-  const bool regular = fit.method == ExtremeMethod::regular;
-  if (regular || fit.method == ExtremeMethod::weibull) put(fit.weibull, out.weibull, out.weibull_low, out.weibull_high);
+  put(fit.gumbel, out.gumbel, out.gumbel_low, out.gumbel_high);
+  put(fit.weibull, out.weibull, out.weibull_low, out.weibull_high);
   if (fit.pareto && fit.quality != ExtremeQuality::none) put(*fit.pareto, out.pareto, out.pareto_low, out.pareto_high);
   return out;
 }
 
 /// Of a record that changes within the run there is what was seen alone.
 ExtremeEstimate without_estimate(const HistoryColumn& column, const ExtremeFit& fit, const std::string& why) {
-  ExtremeFit none;
-  none.peaks = fit.peaks;
-  none.observed = fit.observed;
-  none.enough = fit.enough;
+  ExtremeFit none = fit;
+  none.quality = ExtremeQuality::none;
+  none.method = ExtremeMethod::none;
   ExtremeEstimate out = estimate(column, none);
+  for (std::optional<double>* value :
+       {&out.weibull, &out.weibull_low, &out.weibull_high, &out.gumbel, &out.gumbel_low, &out.gumbel_high}) {
+    value->reset();
+  }
   out.remark = "the record is not stationary: " + why;
   return out;
 }
