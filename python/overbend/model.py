@@ -31,7 +31,21 @@ class Model:
 
     def __init__(self, core: "_core.Model"):
         """Not for users: see `read` and `from_text`."""
+        if not isinstance(core, _core.Model):
+            raise TypeError(f"Model(...): found {core!r}; a model is made by Model.read(path) or Model.from_text(text)")
         self._core = core
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickled and copied as its text, for pools of processes."""
+        return Model.from_text, (self.text, self.file)
+
+    def __copy__(self) -> "Model":
+        """The same: a model does not change."""
+        return self
+
+    def __deepcopy__(self, memo: Any) -> "Model":
+        """The same: a model does not change."""
+        return self
 
     @classmethod
     def read(cls, path: PathLike) -> "Model":

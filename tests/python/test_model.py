@@ -1,6 +1,8 @@
 """Models from Python: read, changed, refused."""
 
+import copy
 import pathlib
+import pickle
 import tempfile
 import unittest
 
@@ -19,6 +21,16 @@ class Models(unittest.TestCase):
         self.assertEqual(self.model.text, BGL1.read_text(encoding="utf-8"))
         self.assertIn("BGL-1", self.model.title)
         self.assertEqual(self.model.file, str(BGL1))
+
+    def test_a_model_made_of_a_path_says_how_models_are_made(self):
+        with self.assertRaisesRegex(TypeError, r"Model\.read"):
+            ob.Model(str(BGL1))
+
+    def test_a_model_goes_through_pickle_and_copies_as_it_is(self):
+        other = pickle.loads(pickle.dumps(self.model))
+        self.assertEqual(other.text, self.model.text)
+        self.assertEqual(other.file, self.model.file)
+        self.assertEqual(copy.deepcopy([self.model])[0]["title"], self.model["title"])
 
     def test_a_key_set_anew_gives_another_model_and_leaves_the_first(self):
         other = self.model.with_({"tensioner.tension": "260 kN"})
