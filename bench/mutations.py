@@ -89,8 +89,8 @@ def work(kind, models, first, last):
                 text = model_case(path, rng) if kind == "models" else data_case(path, rng, folder)
                 model = overbend.Model.from_text(text, str(path.parent / "damaged.yaml"))
                 model.static()
-            except (overbend.OverbendError) as told:
-                end = type(told).__name__
+            except overbend.OverbendError as error:
+                end = type(error).__name__
             except BaseException as fault:  # noqa: BLE001: whatever else is a fault of the program
                 end = f"FAULT {type(fault).__name__}: {fault}"[:300].replace("\n", " ")
             print("end", seed, end, flush=True)
