@@ -56,9 +56,7 @@ void run_one(std::uint64_t seed, const std::string& kind, Tally& tally, fmt::ost
       results.force_residual < 1e-9 && results.global_residual < 1e-8 && std::isfinite(results.sagbend.von_mises.value);
   tally.solved += sound ? 1 : 0;
   tally.wrong += sound ? 0 : 1;
-  const bool beside = std::ranges::any_of(
-      results.warnings, [](const std::string& warning) { return warning.starts_with("steady laying"); });
-  if (beside) {
+  if (has_code(results.findings, FindingCode::steady_laying_not_found)) {
     ++tally.beside;
     fmt::print("lay {}: no line of steady laying\n", seed);
   }

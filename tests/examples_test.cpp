@@ -123,8 +123,8 @@ TEST(examples, yielding_page_holds) {
   EXPECT_NEAR(1e2 * steel.overbend->strain.value, 0.303, 0.002);
   EXPECT_NEAR(steel.residual_curvature, 0.0031, 1e-4);
   const auto says_roll = [](const std::string& warning) { return warning.find("rolls") != std::string::npos; };
-  EXPECT_TRUE(std::any_of(steel.warnings.begin(), steel.warnings.end(), says_roll));
-  EXPECT_FALSE(std::any_of(linear.warnings.begin(), linear.warnings.end(), says_roll));
+  EXPECT_TRUE(std::ranges::any_of(messages(steel.findings), says_roll));
+  EXPECT_FALSE(std::ranges::any_of(messages(linear.findings), says_roll));
   EXPECT_NEAR(1e-3 * linear.sagbend.bending_moment.value, 98.0, 1.0);
   EXPECT_NEAR(1e-3 * steel.sagbend.bending_moment.value, 269.0, 4.0);
   EXPECT_NEAR(1e-3 * steel.largest_reaction, 76.1, 1.0);
@@ -140,7 +140,8 @@ TEST(examples, yielding_page_holds) {
 
 TEST(examples, workable_sea_keeps_the_pipe_between_its_rollers_and_below_yield) {
   const DynamicResults r = minute_of(example("bgl1-workable-sea.yaml"), 20.0);
-  EXPECT_TRUE(r.warnings.empty()) << r.warnings.front();  // the pipe leaves no box, nothing yields, tension stays
+  EXPECT_TRUE(r.findings.empty())
+      << messages(r.findings).front();  // the pipe leaves no box, nothing yields, tension stays
   // One minute has some eight waves, so these are loose: the extremes of three hours are inside the page's ranges.
   EXPECT_GT(r.top_tension.min, 0.0);
   EXPECT_LT(r.top_tension.min, 0.9 * 250e3);  // a machine that waits, on a moving barge
@@ -177,8 +178,8 @@ TEST(examples, irregular_sea_takes_the_pipe_off_its_stinger) {
   for (int k = 1; k <= 8; ++k) {
     EXPECT_TRUE(left_over_its_side(r, "stinger " + std::to_string(k))) << k;
   }
-  EXPECT_EQ(std::count_if(r.warnings.begin(), r.warnings.end(),
-                          [](const std::string& w) { return w.find("the pipe left '") != std::string::npos; }),
+  EXPECT_EQ(std::ranges::count_if(messages(r.findings),
+                                  [](const std::string& w) { return w.find("the pipe left '") != std::string::npos; }),
             1);
   // What follows is the motion of a pipe beside its rollers, which rounding alone drives apart: only its kind is
   // stated.
@@ -210,8 +211,8 @@ TEST(examples, tensioner_page_holds) {
   EXPECT_NEAR(on.tensioner.travel.min, 0.036, kTravel);
   EXPECT_NEAR(on.tensioner.travel.max, 0.186, kTravel);
   EXPECT_NEAR(1e-6 * on.overbend.von_mises.over_time.max, 334.0, kStress);
-  EXPECT_TRUE(on.warnings.empty());
-  EXPECT_TRUE(off.warnings.empty());
+  EXPECT_TRUE(on.findings.empty());
+  EXPECT_TRUE(off.findings.empty());
   // The machine shortens the time out of range more than it trims the peaks: both come while it still waits.
   EXPECT_LT(on.tensioner.time_out_of_range, 0.5 * off.tensioner.time_out_of_range);
   EXPECT_LT(on.tensioner.tension.min, off.tensioner.tension.min);

@@ -15,6 +15,7 @@ from .controllers import Controller, SetTension, get_include
 from .dynamic_results import DynamicResults
 from .errors import ControllerError, Fault, Interrupted, ModelError, NoSolution, OverbendError, ResultsError
 from .examples import example
+from .findings import Finding, FindingNumber
 from .groups import Record, Records, Table
 from .lay_table import LayTable
 from .model import Model
@@ -36,6 +37,8 @@ __all__ = [
     "ControllerError",
     "DynamicResults",
     "Fault",
+    "Finding",
+    "FindingNumber",
     "FolderComparison",
     "Interrupted",
     "LabelledArray",

@@ -40,7 +40,7 @@ class FolderComparison:
         keys: Keys of the models that not all have alike: key, values (empty where not given).
         results: Results, those that differ most first: name, text, unit, key (whether it is looked at first), values
             [SI], None where a folder has none, changes against the first in parts of it.
-        warnings: Warnings that not all have: text, has.
+        warnings: Findings that not all have: text, code, severity, has.
         notes: What is not compared and why.
     """
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _core
 from .errors import ModelError
+from .findings import findings_of
 from .groups import Record, Table, table_of
 from .values import labelled
 
@@ -29,10 +30,11 @@ class LayTable:
     Attributes:
         table: Table over `index`: kind ('step', 'least', 'largest'), what is varied, depth [m], top_tension,
             bottom_tension [N], lay_back [m], departure_angle [rad], stinger_tip_clearance [m], stresses [Pa], strains,
-            largest_reaction [N], utilisation, worst_check, verdict ('passed', 'exceeded', 'no lay') and reason; NaN
+            largest_reaction [N], utilisation, worst_check, verdict ('passed', 'reserved', 'exceeded', 'no lay') and reason; NaN
             where there is no lay.
         vary: 'tension', 'lay_back', 'depth' or 'route'.
-        warnings, assumptions: What an engineer should know.
+        findings: What an engineer should know; warnings are their messages.
+        assumptions: What was assumed.
         summary: The content of summary.json.
     """
 
@@ -41,6 +43,7 @@ class LayTable:
         self._core, self.model = core, model
         self.summary: dict[str, Any] = core.summary()
         self.vary: str = self.summary["lay_table"]["vary"]
+        self.findings = findings_of(self.summary["findings"])
         self.warnings: list[str] = self.summary["warnings"]
         self.assumptions: list[str] = self.summary["assumptions"]
         self.table: Table = table_of(core.tree(), "/lay_table")

@@ -10,6 +10,7 @@ from . import _core
 from .controllers import Controllers, given_controllers
 from .dynamic_results import DynamicResults
 from .errors import Interrupted, ModelError
+from .findings import Finding, findings_of
 from .keys import Time, changes_of, seconds, seeds_of
 from .progress import Progress, follower
 from .results import StaticResults
@@ -85,9 +86,14 @@ class Model:
         return self._core.title
 
     @property
+    def findings(self) -> list[Finding]:
+        """Unusual input that was accepted, and what the model alone shows."""
+        return findings_of(self._core.findings)
+
+    @property
     def warnings(self) -> list[str]:
-        """Unusual input that was accepted."""
-        return self._core.warnings
+        """The messages of the findings."""
+        return [finding.message for finding in self.findings]
 
     @property
     def assumptions(self) -> list[str]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _core
 from .errors import NoSolution
+from .findings import findings_of
 from .groups import Record, Table, nearest, wrapped
 from .results import StaticResults, summary_descriptions, summary_units
 from .values import Number, labelled
@@ -58,7 +59,7 @@ class OperationResults(Sequence[Stage]):
 
     Attributes:
         title, type: Of the operation: 'abandonment', 'recovery', 'start_up', ...
-        warnings, assumptions: Of the operation as a whole; each stage has its own.
+        findings, assumptions: Of the operation as a whole; each stage has its own. warnings are messages of findings.
         model: The model.
         summary: The content of summary.json.
     """
@@ -70,6 +71,7 @@ class OperationResults(Sequence[Stage]):
         told = self.summary["operation"]
         self.title: str = self.summary.get("title", "")
         self.type: str = told["type"]
+        self.findings = findings_of(self.summary.get("findings", []))
         self.warnings: list[str] = self.summary.get("warnings", [])
         self.assumptions: list[str] = self.summary.get("assumptions", [])
         tree = core.tree()

@@ -13,6 +13,7 @@ import numpy as np
 
 from . import _core
 from .errors import ResultsError
+from .findings import Finding, findings_of
 from .groups import Record, Records, Table, nearest, record_of, table_of, wrapped
 from .values import Number
 
@@ -71,9 +72,21 @@ class Results:
         return self._quick.get("title", "")
 
     @property
-    def warnings(self) -> list[str]:
+    def findings(self) -> list[Finding]:
         """What an engineer should know about these results, and of a run in time about the static state it began from."""
-        return self._sentences("warnings")
+        found = [findings_of(told.get("findings", [])) for told in (self.summary.get(self._part, {}), self.summary)]
+        return list(dict.fromkeys([*found[0], *found[1]]))
+
+    @property
+    def warnings(self) -> list[str]:
+        """The messages of the findings."""
+        return [finding.message for finding in self.findings]
+
+    @property
+    def verdict(self) -> str:
+        """'passed', 'reserved' (a finding is serious), 'exceeded' or 'not judged'."""
+        told = self.summary.get(self._part, {}).get("verdict") or self.summary.get("verdict", {})
+        return told.get("kind", "not judged")
 
     @property
     def assumptions(self) -> list[str]:
@@ -157,7 +170,7 @@ class Results:
     def __repr__(self) -> str:
         checks = self.checks
         worst = f", worst check {checks.worst.name}: {checks.worst.utilisation:.3f}" if checks.worst else ""
-        return f"<{type(self).__name__} of '{self.title}'{worst}, {len(self.warnings)} warnings>"
+        return f"<{type(self).__name__} of '{self.title}'{worst}, verdict: {self.verdict}, {len(self.findings)} findings>"
 
 
 class Checks(Records):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional, Union
 
 import numpy as np
 
+from .findings import findings_of
 from .groups import Record, Records, Table, wrapped
 from .dynamic_results import DynamicResults
 from .results import copied_folder, summary_in
@@ -56,7 +57,7 @@ class SeedsResults(_RunsInFolders):
     Attributes:
         summary: What they give together, as summary.json.
         failed: Runs that ended without results: seed, why.
-        warnings: Of all together; each run has its own.
+        findings: Of all together; each run has its own. warnings are their messages.
     """
 
     def __init__(self, folder: pathlib.Path, model: "Optional[Model]" = None, holder: Any = None):
@@ -64,6 +65,7 @@ class SeedsResults(_RunsInFolders):
         super().__init__(folder, model, holder)
         self._told: dict[str, Any] = self.summary["seeds"]
         self.failed = Records([Record(one) for one in self._told["failed"]])
+        self.findings = findings_of(self._told["findings"])
         self.warnings: list[str] = self._told["warnings"]
 
     @property

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _core
 from .controllers import Command, SetTension
+from .findings import Finding, findings_of
 from .groups import Record, nearest
 from .keys import seconds, seeds_of
 from .values import Number, labelled
@@ -251,9 +252,14 @@ class Simulation:
         return self._core.notes[0]
 
     @property
-    def warnings(self) -> list[str]:
+    def findings(self) -> list[Finding]:
         """Where machines could not do what they were asked for."""
-        return self._core.notes[1]
+        return findings_of(self._core.notes[1])
+
+    @property
+    def warnings(self) -> list[str]:
+        """The messages of the findings."""
+        return [finding.message for finding in self.findings]
 
     def save(self) -> SavedSimulation:
         """The state now, to come back to. Steps that follow a restore are the same bit for bit where it was saved at a row of

@@ -12,6 +12,7 @@ import numpy as np
 
 from . import _core
 from .errors import Interrupted, ModelError, ResultsError
+from .findings import findings_of
 from .groups import Record, Records, Table, nearest, table_of
 from .model import Model, PathLike
 from .progress import CaseProgress, Cases, follower
@@ -105,7 +106,8 @@ class StudyResults:
     Attributes:
         title: Of the study.
         analysis: 'static', 'dynamic', 'operation' or 'seek'.
-        warnings, assumptions: What an engineer should know.
+        findings: What an engineer should know; warnings are their messages.
+        assumptions: What was assumed.
         command: The command line that runs it.
     """
 
@@ -117,6 +119,7 @@ class StudyResults:
         self._told: dict[str, Any] = tables.told()
         self.title: str = self._told["title"]
         self.analysis: str = self._told["analysis"]
+        self.findings = findings_of(self._told["findings"])
         self.warnings: list[str] = self._told["warnings"]
         self.assumptions: list[str] = self._told["assumptions"]
         self.command: str = self._told["command"]

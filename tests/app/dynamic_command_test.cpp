@@ -6,8 +6,8 @@
 #include "app/child_program.h"
 #include "app/program.h"
 #include "app/small_lay.h"
+#include "base/finding.h"
 #include "base/json.h"
-#include "report/warning_weight.h"
 #include "support/program_path.h"
 #include "support/solved_case.h"
 
@@ -43,16 +43,17 @@ std::string differences(const fs::path& one, const fs::path& two) {
   return std::system(command.c_str()) == 0 ? "" : "different: " + file_text(told / "out");
 }
 
-TEST(dynamic_command, prints_what_the_run_warns_of_and_what_its_statics_do) {
+TEST(dynamic_command, prints_the_findings_of_the_run_and_of_its_statics) {
   const TemporaryFolder folder;
   const ProgramRun run = run_dynamic_model(folder, with(kSmallLay, "yield_stress: 414 MPa", "yield_stress: 60 MPa"));
   ASSERT_EQ(run.code, 0) << run.err;
   const Json summary = summary_of(folder / "out");
   ASSERT_FALSE(summary.at("warnings").empty());
-  for (const Json& warnings : {summary.at("warnings"), summary.at("dynamic").at("warnings")}) {
-    for (const Json& warning : warnings) {
-      EXPECT_NE(run.out.find("  warning: " + without_mark(warning.get<std::string>()) + "\n"), std::string::npos)
-          << warning;
+  for (const Json& findings : {summary.at("findings"), summary.at("dynamic").at("findings")}) {
+    for (const Json& finding : findings) {
+      const std::string line = finding["severity"].get<std::string>() + ": " + finding["message"].get<std::string>() +
+                               " [" + finding["code"].get<std::string>() + "]\n";
+      EXPECT_NE(run.out.find(line), std::string::npos) << line;
     }
   }
 }
@@ -62,7 +63,7 @@ TEST(dynamic_command, tells_before_the_run_that_nothing_moves_in_it) {
   const TemporaryFolder folder;
   const ProgramRun run = run_dynamic_model(folder, still, "--duration '0.5 s'");
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(run.out.find("  warning: nothing moves in the dynamic analysis"), 0U) << run.out;
+  EXPECT_EQ(run.out.find("  serious: nothing moves in the dynamic analysis"), 0U) << run.out;
 }
 
 TEST(dynamic_command, writes_all_files_and_prints_the_key_results) {

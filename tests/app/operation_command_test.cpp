@@ -64,8 +64,8 @@ TEST(operation_command, what_the_lay_of_a_stage_warns_of_is_said_with_the_stage)
   const Json stages = read_json(folder.read("out/summary.json"))["operation"]["stages"];
   int warnings = 0;
   for (const Json& stage : stages) {
-    for (const Json& warning : stage["lay_warnings"]) {
-      EXPECT_TRUE(says(run.out, warning.get<std::string>())) << run.out;
+    for (const Json& finding : stage["lay_findings"]) {
+      EXPECT_TRUE(says(run.out, "[" + finding["code"].get<std::string>() + "]")) << run.out;
       ++warnings;
     }
   }

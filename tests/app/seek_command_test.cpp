@@ -75,7 +75,7 @@ TEST(seek_command, tells_the_warnings_of_the_answer) {
   const auto done = run_program("seek " + scratch.write("lay.yaml", text) + " -o " + scratch.file("out"));
   ASSERT_EQ(done.code, 0) << done.err;
   ASSERT_FALSE(read_json(scratch.read("out/summary.json"))["warnings"].empty());
-  EXPECT_NE(done.out.find("  warning: "), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("  caution: "), std::string::npos) << done.out;
   EXPECT_NE(done.out.find("does not contain the set tension"), std::string::npos) << done.out;
 }
 

@@ -10,7 +10,7 @@ TEST(diagnostics, a_fault_reads_as_place_key_found_expected_and_hint) {
             "a.yaml:12: pipe.length: found '3 kN', expected a length; write m");
   EXPECT_EQ(render({Severity::error, "a.yaml", 0, 0, "", "there is no such file", "", ""}),
             "a.yaml: there is no such file");
-  EXPECT_EQ(render({Severity::warning, "a.yaml", 4, 0, "x", "odd", "", ""}), "a.yaml:4: warning: x: odd");
+  EXPECT_EQ(render({Severity::warning, "a.yaml", 4, 0, "x", "odd", "", ""}), "a.yaml:4: x: odd");
 }
 
 TEST(diagnostics, faults_come_in_the_order_of_the_file) {

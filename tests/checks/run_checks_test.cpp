@@ -236,11 +236,11 @@ TEST(run_checks, what_lies_outside_a_formula_is_neither_passed_nor_failed) {
 TEST(run_checks, what_no_formula_judged_is_told_once_for_all_regions) {
   EXPECT_TRUE(unjudged_checks(bgl1().statics.checks).empty());
   const CheckTable thick = checks_with([](Description& d) { d.pipe.section.steel.wall_thickness = 0.03; });  // D/t 13.5
-  const std::vector<std::string> words = unjudged_checks(thick);
-  ASSERT_EQ(words.size(), 1U);  // propagation is for information
-  EXPECT_TRUE(words.front().starts_with(kNotJudged));
-  EXPECT_NE(words.front().find("Local buckling, load controlled"), std::string::npos);
-  EXPECT_NE(words.front().find("valid for 15 <= D/t2 <= 45"), std::string::npos);
+  const Findings findings = unjudged_checks(thick);
+  ASSERT_EQ(findings.size(), 1U);  // propagation is for information
+  EXPECT_EQ(findings.front().code, FindingCode::check_not_judged);
+  EXPECT_NE(findings.front().message.find("Local buckling, load controlled"), std::string::npos);
+  EXPECT_NE(findings.front().message.find("valid for 15 <= D/t2 <= 45"), std::string::npos);
 }
 
 TEST(run_checks, no_utilisation_is_drawn_along_the_pipe_of_a_formula_that_does_not_hold) {

@@ -402,7 +402,7 @@ TEST(controllers, leave_words_in_the_results) {
   const std::vector<std::string> assumed = simulation.controllers().assumptions();
   ASSERT_EQ(assumed.size(), 1U);
   EXPECT_EQ(assumed[0].find("A controller from outside, asked every 0.1 s, drove the tensioner"), 0U);
-  const std::vector<std::string> warned = simulation.controllers().warnings(simulation.system());
+  const std::vector<std::string> warned = messages(simulation.controllers().findings(simulation.system()));
   ASSERT_EQ(warned.size(), 1U);
   EXPECT_EQ(warned[0], "the tensioner was asked for up to 9 m/s: it goes at 0.25 m/s at most");
   EXPECT_TRUE(Simulated(c).controllers().assumptions().empty());

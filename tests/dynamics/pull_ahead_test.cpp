@@ -150,8 +150,8 @@ TEST(pull_ahead, says_what_it_was_too_short_for_and_what_cannot_pay_out) {
   DynamicResults results;
   moved.recorder.fill(results);
   const auto told = [&](const std::string& part) {
-    return std::any_of(results.warnings.begin(), results.warnings.end(),
-                       [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
+    return std::ranges::any_of(messages(results.findings),
+                               [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
   };
   ASSERT_FALSE(results.assumptions.empty());
   EXPECT_NE(results.assumptions.back().find("0.40 m ahead in 2 moves from t = 1 s on"), std::string::npos);

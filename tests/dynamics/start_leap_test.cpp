@@ -41,7 +41,7 @@ TEST(start_leap, may_be_one_of_speed_alone) {
   EXPECT_NEAR(speed_at_start(build_model(d)), 0.05 * 2.0 * std::numbers::pi / 10.0, 1e-12);
   const testing::TimedLay c(d);
   testing::EmptySink sink;
-  const std::vector<std::string> warnings = c.results(sink).warnings;
+  const std::vector<std::string> warnings = messages(c.results(sink).findings);
   EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& words) {
     return words.find("the stern shoe has 0.0314 m/s at once") != std::string::npos;
   }));
@@ -52,7 +52,7 @@ TEST(start_leap, may_be_one_of_speed_alone) {
 TEST(start_leap, of_centimetres_is_told_by_the_run) {
   const testing::TimedLay c(lifted_at_once());
   testing::EmptySink sink;
-  const std::vector<std::string> warnings = c.results(sink).warnings;
+  const std::vector<std::string> warnings = messages(c.results(sink).findings);
   EXPECT_TRUE(std::ranges::any_of(
       warnings, [](const std::string& words) { return words.find("leaps by 0.05 m") != std::string::npos; }));
 }

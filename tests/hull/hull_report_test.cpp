@@ -41,7 +41,7 @@ TEST(hull_report, warns_of_a_table_by_which_wind_from_ahead_pulls_the_hull_ahead
       rows.push_back({angle, -sign * 0.9 * std::cos(angle), 1.1 * std::sin(angle), 0.0});
     }
     made.hull.wind.table = {200.0, 900.0, 120.0, coefficients_from_bow(rows, CoefficientAxes::from_bow)};
-    return hull_report(made, model, Sea{}, moored()).warnings.size();
+    return hull_report(made, model, Sea{}, moored()).findings.size();
   };
   EXPECT_EQ(warnings_with(-1.0), warnings_with(1.0) + 1);
 }
@@ -62,7 +62,7 @@ TEST(hull_report, warns_of_positioning_whose_filter_takes_all_its_damping) {
   made.hull.station_keeping = StationKeeping{made.hull.drawn.head<3>(), {Vec3(1e5, 1e5, 3e8), Vec3(1e5, 1e5, 1e8)}};
   const HullReport weak = hull_report(made, model, Sea{}, Mat6::Zero());
   EXPECT_LT(weak.damping[1].station_keeping, 0.0);
-  EXPECT_GT(weak.warnings.size(), made.warnings.size());
+  EXPECT_GT(weak.findings.size(), made.findings.size());
   made.hull.station_keeping->law.damping = Vec3(4e6, 5e6, 1.5e10);
   EXPECT_GT(hull_report(made, model, Sea{}, Mat6::Zero()).damping[1].station_keeping, 0.1);
 }
@@ -90,7 +90,7 @@ TEST(hull_report, warns_of_positioning_that_lags_too_far_to_be_stable) {
   made.hull.station_keeping = StationKeeping{made.hull.drawn.head<3>(), {Vec3(1e5, 1e5, 2e8), Vec3(4e6, 4e6, 8e9)}};
   const HullReport report = hull_report(made, model, Sea{}, Mat6::Zero());
   EXPECT_GT(report.damping[2].total(), 0.0);
-  EXPECT_TRUE(std::any_of(report.warnings.begin(), report.warnings.end(), [](const std::string& warning) {
+  EXPECT_TRUE(std::ranges::any_of(messages(report.findings), [](const std::string& warning) {
     return warning.find("makes the slow yaw swing up") != std::string::npos;
   }));
 }
@@ -100,14 +100,15 @@ TEST(hull_report, warns_of_a_sea_beyond_the_table_and_of_shallow_water) {
   MadeHull made = testing::made_bgl1_hull();
   Sea sea = testing::long_crested(2.0, 12.0, 1.0, 1);
   made.hull.waves = make_hull_waves(testing::bgl1_hydrodynamics(), sea, WaveDrift::newman, 5.182, 0.0);
-  const std::size_t others = made.warnings.size();  // of the radiation
+  const std::size_t others = made.findings.size();  // of the radiation
   const HullReport fine = hull_report(made, model, sea, moored());
-  EXPECT_EQ(fine.warnings.size(), others) << fine.warnings.back();
+  EXPECT_EQ(fine.findings.size(), others) << messages(fine.findings).back();
   made.hull.waves.above_table = 0.03;
   sea.depth = 8.0;
   const HullReport shallow = hull_report(made, model, sea, moored());
-  ASSERT_EQ(shallow.warnings.size(), others + 2);
-  EXPECT_NE(shallow.warnings.back().find("k_p d of 0."), std::string::npos) << shallow.warnings.back();
+  ASSERT_EQ(shallow.findings.size(), others + 2);
+  EXPECT_NE(messages(shallow.findings).back().find("k_p d of 0."), std::string::npos)
+      << messages(shallow.findings).back();
 }
 
 TEST(hull_report, warns_of_drift_that_ends_below_the_waves) {
@@ -122,12 +123,12 @@ TEST(hull_report, warns_of_drift_that_ends_below_the_waves) {
     return hull_report(made, model, sea, moored());
   };
   const HullReport whole = report_with(10.0), cut = report_with(0.8);
-  ASSERT_EQ(cut.warnings.size(), whole.warnings.size() + 1);
+  ASSERT_EQ(cut.findings.size(), whole.findings.size() + 1);
   const auto told = [](const std::string& words) {
     return words.find("of the mean drift, which end") != std::string::npos;
   };
-  EXPECT_TRUE(std::ranges::any_of(cut.warnings, told));
-  EXPECT_FALSE(std::ranges::any_of(whole.warnings, told));
+  EXPECT_TRUE(std::ranges::any_of(messages(cut.findings), told));
+  EXPECT_FALSE(std::ranges::any_of(messages(whole.findings), told));
 }
 
 TEST(hull_report, warns_of_files_without_drift_in_a_sea_that_would_make_the_hull_drift) {
@@ -138,8 +139,9 @@ TEST(hull_report, warns_of_files_without_drift_in_a_sea_that_would_make_the_hull
   without.mean_drift.clear();
   made.hull.waves = make_hull_waves(without, sea, WaveDrift::newman, 5.182, 0.0);
   const HullReport report = hull_report(made, model, sea, moored());
-  ASSERT_FALSE(report.warnings.empty());
-  EXPECT_NE(report.warnings.back().find("no drift coefficients"), std::string::npos) << report.warnings.back();
+  ASSERT_FALSE(report.findings.empty());
+  EXPECT_NE(messages(report.findings).back().find("no drift coefficients"), std::string::npos)
+      << messages(report.findings).back();
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 TEST(make_radiation, memory_of_bgl1_represents_its_damping_and_added_mass) {
   const Radiated& made = testing::bgl1_radiation(Radiation::state_space);
   EXPECT_EQ(made.model.kind, Radiation::state_space);
-  EXPECT_TRUE(made.report.warnings.empty());
+  EXPECT_TRUE(made.report.findings.empty());
   EXPECT_EQ(made.model.groups, (std::vector<std::vector<int>>{{0, 4}, {1, 3}, {2}, {5}}));
   EXPECT_LE(made.report.states, 120);
   ASSERT_EQ(made.report.entries.size(), 8U);
@@ -128,8 +128,8 @@ TEST(make_radiation, what_no_exponentials_represent_is_convolved_and_told) {
   const Radiated made = make_radiation(data, Radiation::state_space);
   EXPECT_EQ(made.model.kind, Radiation::convolution);
   EXPECT_TRUE(made.model.poles.empty());
-  ASSERT_FALSE(made.report.warnings.empty());
-  EXPECT_NE(made.report.warnings[0].find("direct convolution is used instead"), std::string::npos);
+  ASSERT_FALSE(made.report.findings.empty());
+  EXPECT_NE(messages(made.report.findings)[0].find("direct convolution is used instead"), std::string::npos);
   EXPECT_EQ(made.report.groups[0].order, 0);
   EXPECT_EQ(static_cast<std::size_t>(made.report.states), fresh_memory(made.model).values.size());
 }
@@ -139,9 +139,9 @@ TEST(make_radiation, a_file_that_contradicts_itself_is_told) {
   data.added_mass_infinite(2, 2) *= 1.1;
   data.radiation[30].damping(5, 5) *= -1.0;
   const Radiated made = make_radiation(data, Radiation::convolution);
-  ASSERT_GE(made.report.warnings.size(), 2U);
-  EXPECT_NE(made.report.warnings[0].find("negative radiation damping"), std::string::npos);
-  EXPECT_NE(made.report.warnings[1].find("added mass of heave"), std::string::npos);
+  ASSERT_GE(made.report.findings.size(), 2U);
+  EXPECT_NE(messages(made.report.findings)[0].find("negative radiation damping"), std::string::npos);
+  EXPECT_NE(messages(made.report.findings)[1].find("added mass of heave"), std::string::npos);
 }
 
 /// The hull of the data in other units of mass, length and time, or a model of it.

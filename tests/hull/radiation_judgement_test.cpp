@@ -14,7 +14,7 @@ TEST(radiation_judgement, the_fit_of_sound_files_is_within_a_per_cent) {
     const std::vector<RadiationMisfit> misfits = radiation_misfits(radiated.model, barge, Sea{});
     ASSERT_EQ(misfits.size(), 6U);
     for (const RadiationMisfit& one : misfits) EXPECT_LT(std::max(one.added_mass, one.damping), 0.02) << one.mode;
-    EXPECT_TRUE(misfit_warnings(misfits).empty());
+    EXPECT_TRUE(misfit_findings(misfits).empty());
   }
 }
 
@@ -27,7 +27,7 @@ TEST(radiation_judgement, a_mode_that_is_missed_by_a_known_share_is_told_with_it
     point.added_mass(2, 2) += 0.25 * largest;  // then 0.25/1.25 of the largest
   const std::vector<RadiationMisfit> misfits = radiation_misfits(radiated.model, data, Sea{});
   EXPECT_NEAR(misfits[2].added_mass, 0.2, 0.02);
-  const std::vector<std::string> warnings = misfit_warnings(misfits);
+  const std::vector<std::string> warnings = messages(misfit_findings(misfits));
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find("does not represent the hydrodynamic file in heave"), std::string::npos);
 }

@@ -47,9 +47,9 @@ TEST(bending_law, the_section_bends_as_its_moment_curve_begins) {
 TEST(bending_law, a_curve_that_is_reproduced_roughly_is_warned_of) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
   d.pipe.section.steel = steel_with_curve(soft_curve());
-  EXPECT_TRUE(material_warnings(build_model(d)).empty());
+  EXPECT_TRUE(material_findings(build_model(d)).empty());
   d.pipe.section.steel = steel_with_curve({{0.01, 450e3}, {0.02, 500e3}});  // a corner that no round pipe has
-  const std::vector<std::string> warnings = material_warnings(build_model(d));
+  const std::vector<std::string> warnings = messages(material_findings(build_model(d)));
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find("is reproduced only within 11"), std::string::npos) << warnings[0];
 }

@@ -99,7 +99,7 @@ TEST(rao_limits, the_barge_follows_very_long_waves_as_its_readme_says) {
   }
   // 3.357 is the sway of the file, 3.362 the mean orbit of its README.
   EXPECT_NEAR(limits.rows[3].ratio, 3.357 / 3.362, 5e-4);
-  EXPECT_TRUE(limit_warnings(limits).empty());
+  EXPECT_TRUE(limit_findings(limits).empty());
 }
 
 TEST(rao_limits, a_wrong_phase_sign_and_a_wrong_unit_show) {
@@ -111,7 +111,7 @@ TEST(rao_limits, a_wrong_phase_sign_and_a_wrong_unit_show) {
     RaoSettings given;
     given.words[key] = word;
     const RaoTable table = testing::good_raos(testing::bgl1_file("rao.csv"), given);
-    EXPECT_FALSE(limit_warnings(long_wave_limits(table, 120.0, 5.182, 89.0)).empty()) << key << " " << word;
+    EXPECT_FALSE(limit_findings(long_wave_limits(table, 120.0, 5.182, 89.0)).empty()) << key << " " << word;
   }
 }
 
@@ -119,7 +119,7 @@ TEST(rao_limits, a_freedom_that_disagrees_is_warned_of_once_with_all_its_heading
   RaoSettings given;
   given.words["phase"] = "lead";
   const RaoTable table = testing::good_raos(testing::bgl1_file("rao.csv"), given);
-  const std::vector<std::string> warnings = limit_warnings(long_wave_limits(table, 120.0, 5.182, 89.0));
+  const std::vector<std::string> warnings = messages(limit_findings(long_wave_limits(table, 120.0, 5.182, 89.0)));
   ASSERT_EQ(warnings.size(), 4U);  // surge, pitch, sway, roll; heave has no sign to get wrong
   EXPECT_EQ(warnings.front().find("RAOs: in long waves travelling towards 0 and 180 deg surge is "), 0U)
       << warnings.front();
@@ -129,7 +129,7 @@ TEST(rao_limits, waves_that_are_not_long_judge_nothing) {
   RaoSettings given;
   given.words["phase"] = "lead";
   const RaoTable table = testing::good_raos(testing::bgl1_file("rao.csv"), given);
-  EXPECT_TRUE(limit_warnings(long_wave_limits(table, 500.0, 5.182, 89.0)).empty());
+  EXPECT_TRUE(limit_findings(long_wave_limits(table, 500.0, 5.182, 89.0)).empty());
 }
 
 }  // namespace

@@ -277,7 +277,7 @@ TEST(lay_operation, what_floats_is_only_warned_of) {
       read("type: abandonment, head: {length: 6 m, weight_in_air: 40 kN, weight_submerged: -5 kN}, " + kCable +
            ", stages: [{cable_out: 60 m}]");
   ASSERT_TRUE(reading.description);
-  const std::vector<std::string>& warnings = reading.description->warnings;
+  const std::vector<std::string> warnings = messages(reading.description->findings);
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
                           [](const std::string& w) { return w.find("floats") != std::string::npos; }));
 }
@@ -285,8 +285,8 @@ TEST(lay_operation, what_floats_is_only_warned_of) {
 TEST(lay_operation, a_recovery_listed_upwards_is_warned_of) {
   const auto warned = [](const std::string& stages) {
     const Description d = read_good("type: recovery, " + kHead + ", " + kCable + ", stages: " + stages);
-    return std::any_of(d.warnings.begin(), d.warnings.end(),
-                       [](const std::string& w) { return w.find("reverse order") != std::string::npos; });
+    return std::ranges::any_of(messages(d.findings),
+                               [](const std::string& w) { return w.find("reverse order") != std::string::npos; });
   };
   EXPECT_TRUE(warned("[{cable_out: 160 m}, {cable_out: 60 m}]"));
   EXPECT_FALSE(warned("[{cable_out: 60 m}, {cable_out: 160 m}]"));

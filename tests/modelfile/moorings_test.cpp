@@ -119,7 +119,7 @@ TEST(moorings, reference_models_are_read_as_they_are) {
     const ModelReading reading = read_model(folder + name + ".yaml");
     ASSERT_TRUE(reading.description) << name;
     EXPECT_EQ(reading.description->moorings->lines.size(), lines) << name;
-    EXPECT_TRUE(reading.description->warnings.empty()) << reading.description->warnings.front();
+    EXPECT_TRUE(reading.description->findings.empty()) << messages(reading.description->findings).front();
   }
 }
 

@@ -172,10 +172,10 @@ TEST(yaml_reader, a_file_that_only_dynamics_needs_is_missed_with_a_warning) {
   std::string text = testing::file_text(std::string(OVERBEND_SOURCE_DIR) + "/examples/bgl1.yaml");
   text.replace(text.find("../data/bgl1/rao.csv"), 20, "nowhere.csv");
   const Description d = read_good(text);
-  ASSERT_EQ(d.warnings.size(), 1U);
+  ASSERT_EQ(d.findings.size(), 1U);
   const std::string place = "good.yaml:" + std::to_string(testing::line_of(text, "nowhere.csv"));
-  EXPECT_NE(d.warnings[0].find(place + ": warning: vessel.motion.raos: the file 'nowhere.csv'"), std::string::npos)
-      << d.warnings[0];
+  EXPECT_NE(messages(d.findings)[0].find(place + ": vessel.motion.raos: the file 'nowhere.csv'"), std::string::npos)
+      << messages(d.findings)[0];
 }
 
 TEST(yaml_reader, tensioner_is_controlled_with_a_range_and_locked_without) {
@@ -191,9 +191,9 @@ TEST(yaml_reader, a_range_that_does_not_hold_the_tension_is_a_warning_for_static
   ASSERT_NE(text.find(tension), std::string::npos);
   text.replace(text.find(tension), tension.size(), "tension: 300 kN");
   const Description d = read_good(text);
-  ASSERT_FALSE(d.warnings.empty());
-  EXPECT_NE(d.warnings.back().find("does not contain the set tension, '300 kN'"), std::string::npos)
-      << d.warnings.back();
+  ASSERT_FALSE(d.findings.empty());
+  EXPECT_NE(messages(d.findings).back().find("does not contain the set tension, '300 kN'"), std::string::npos)
+      << messages(d.findings).back();
 }
 
 TEST(yaml_reader, length_and_anchor_serve_in_place_of_the_tension) {
@@ -254,8 +254,8 @@ TEST(yaml_reader, time_steps_can_be_made_finer) {
 TEST(yaml_reader, a_controlled_tensioner_without_a_speed_is_told) {
   const auto warnings = [](const std::string& velocity, const std::string& mode) {
     const Description d = read_good(replaced(kGoodModel, "  velocity: 0.25 m/s\n", velocity + mode));
-    return std::count_if(d.warnings.begin(), d.warnings.end(),
-                         [](const std::string& w) { return w.find("never moves") != std::string::npos; });
+    return std::ranges::count_if(messages(d.findings),
+                                 [](const std::string& w) { return w.find("never moves") != std::string::npos; });
   };
   EXPECT_EQ(warnings("", ""), 1);
   EXPECT_EQ(warnings("", "  mode: controlled\n"), 1);
@@ -303,8 +303,8 @@ TEST(yaml_reader, unusual_values_are_taken_with_a_warning) {
   std::string text = kGoodModel;
   text.replace(text.find("414 MPa"), 7, "414 kPa");
   const Description d = read_good(text);
-  ASSERT_FALSE(d.warnings.empty());
-  EXPECT_NE(d.warnings[0].find("pipe.steel.yield_stress"), std::string::npos);
+  ASSERT_FALSE(d.findings.empty());
+  EXPECT_NE(messages(d.findings)[0].find("pipe.steel.yield_stress"), std::string::npos);
 }
 
 /// The good model with `found` written as `written`.
@@ -319,16 +319,16 @@ TEST(yaml_reader, a_plain_number_may_be_written_in_per_cent_as_results_show_it) 
 
 TEST(yaml_reader, a_unit_of_two_meanings_is_taken_with_a_warning) {
   const Description d = read_good(rewritten("tension: 250 kN", "tension: 25 tonf"));
-  ASSERT_FALSE(d.warnings.empty());
-  EXPECT_NE(d.warnings[0].find("metric tonne-force"), std::string::npos) << d.warnings[0];
+  ASSERT_FALSE(d.findings.empty());
+  EXPECT_NE(messages(d.findings)[0].find("metric tonne-force"), std::string::npos) << messages(d.findings)[0];
 }
 
 TEST(yaml_reader, a_tensile_strength_that_no_steel_has_is_warned_of) {
   std::string text = kGoodModel;
   text.replace(text.find("414 MPa"), 7, "414 MPa\n    tensile_strength: 517 GPa");
   const Description d = read_good(text);
-  ASSERT_FALSE(d.warnings.empty());
-  EXPECT_NE(d.warnings[0].find("pipe.steel.tensile_strength"), std::string::npos);
+  ASSERT_FALSE(d.findings.empty());
+  EXPECT_NE(messages(d.findings)[0].find("pipe.steel.tensile_strength"), std::string::npos);
 }
 
 TEST(yaml_reader, what_is_no_model_file_is_told_plainly) {

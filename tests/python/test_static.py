@@ -101,6 +101,17 @@ class Statics(unittest.TestCase):
         self.assertEqual(len(self.static.checks), len(self.told["checks"]["list"]))
         self.assertEqual(self.static.checks.passed, not self.static.checks.exceeded)
 
+    def test_findings_are_records_and_the_verdict_is_that_of_the_files(self):
+        self.assertEqual(self.static.verdict, self.told["verdict"]["kind"])
+        self.assertEqual(self.static.warnings, [finding.message for finding in self.static.findings])
+        first = self.static.findings[0]
+        self.assertEqual((first.code, first.severity, first.object), ("pipe-at-roller-end", "caution", "stinger 8"))
+        self.assertEqual((first.numbers[0].name, first.numbers[0].unit), ("distance", "m"))
+        self.assertIn("[pipe-at-roller-end]", str(first))
+        across = ob.Model.read(BGL1).with_({"tensioner.tension": "300 kN"}).static()
+        self.assertEqual(across.verdict, "reserved")
+        self.assertIn("pipe-off-rollers", [one.code for one in across.findings if one.severity == "serious"])
+
     def test_without_xarray_arrays_are_numpy_with_the_same_labels(self):
         ob.use_xarray(False)
         try:

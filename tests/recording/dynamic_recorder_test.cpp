@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "model/lay_stage.h"
-#include "recording/dynamic_warnings.h"
+#include "recording/dynamic_findings.h"
 #include "support/bgl1_in_time.h"
 #include "support/lay_over_bottom_rollers.h"
 #include "support/memory_sink.h"
@@ -161,9 +161,10 @@ TEST(dynamic_recorder, compression_in_time_is_warned_of_with_place_time_and_size
   const TimedLay c(testing::workable());
   r.smallest_tension.s = c.statics.touchdown.s;
   warn_of_slack(c.statics, r);
-  ASSERT_EQ(r.warnings.size(), 1U);
-  EXPECT_NE(r.warnings[0].find("falls to -8.00 kN at t = 12.5 s"), std::string::npos) << r.warnings[0];
-  EXPECT_NE(r.warnings[0].find("from the tensioner (sagbend)"), std::string::npos) << r.warnings[0];
+  ASSERT_EQ(r.findings.size(), 1U);
+  EXPECT_NE(messages(r.findings)[0].find("falls to -8.00 kN at t = 12.5 s"), std::string::npos)
+      << messages(r.findings)[0];
+  EXPECT_NE(messages(r.findings)[0].find("from the tensioner (sagbend)"), std::string::npos) << messages(r.findings)[0];
 }
 
 TEST(dynamic_recorder, yield_in_time_is_warned_of_with_place_and_size_and_with_the_time_where_that_is_known) {
@@ -175,11 +176,14 @@ TEST(dynamic_recorder, yield_in_time_is_warned_of_with_place_and_size_and_with_t
   r.sagbend.von_mises.time = 12.5;
   r.sagbend.von_mises.over_time.max = 500e6;
   warn_of_yield(c.statics, {s, 500e6, 414e6}, r);
-  ASSERT_EQ(r.warnings.size(), 2U);
+  ASSERT_EQ(r.findings.size(), 2U);
   const std::string place = fmt::format("{:.1f} m from the tensioner (sagbend)", c.statics.total_length - s);
-  EXPECT_EQ(r.warnings[0].find("the von Mises stress of 500 MPa " + place + " exceeds the yield stress of 414 MPa"), 0U)
-      << r.warnings[0];
-  EXPECT_EQ(r.warnings[1].find("the von Mises stress of 500 MPa at t = 12.5 s, " + place), 0U) << r.warnings[1];
+  EXPECT_EQ(
+      messages(r.findings)[0].find("the von Mises stress of 500 MPa " + place + " exceeds the yield stress of 414 MPa"),
+      0U)
+      << messages(r.findings)[0];
+  EXPECT_EQ(messages(r.findings)[1].find("the von Mises stress of 500 MPa at t = 12.5 s, " + place), 0U)
+      << messages(r.findings)[1];
 }
 
 // It lies below the last roller, 19 mm beyond its end: the distance from that end is no clearance of the tip.
@@ -213,7 +217,7 @@ TEST(dynamic_recorder, boxes_that_the_pipe_left_are_told_in_a_line_for_each_side
       "the pipe left 'stinger 4' and 2 more boxes over their sides to port, the first at t = 3.0 s, the last at t = "
       "9.2 s",
       "the pipe left 'stinger 1' over its side to starboard at t = 40.0 s"};
-  EXPECT_EQ(r.warnings, told);
+  EXPECT_EQ(messages(r.findings), told);
 }
 
 }  // namespace

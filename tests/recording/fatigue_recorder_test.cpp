@@ -211,7 +211,7 @@ TEST(fatigue_recorder, warns_of_few_cycles_and_of_a_standby_shorter_than_a_joint
   TwoStations line(fatigue);
   line.wave(
       0.0, 100.0, [](double t) { return 900e3 * (2.0 + swing(t)); }, [](double) { return Vec3(Vec3::Zero()); });
-  const std::vector<std::string> warnings = line.results().warnings;
+  const std::vector<std::string> warnings = messages(line.results().findings);
   const auto says = [&](const char* words) {
     return std::any_of(warnings.begin(), warnings.end(),
                        [&](const std::string& warning) { return warning.find(words) != std::string::npos; });

@@ -94,7 +94,7 @@ TEST(moored_recorder, warns_of_a_line_that_parts) {
   MemorySink sink;
   const DynamicResults r = run(hull, sink).results.value();
   EXPECT_NEAR(r.moorings[2].parted_at.value_or(0.0), 5.0, 0.125);  // told at the end of the step
-  EXPECT_TRUE(std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& warning) {
+  EXPECT_TRUE(std::ranges::any_of(messages(r.findings), [](const std::string& warning) {
     return warning.find("\"port aft breast\" parted at its fairlead at t = 5.0 s") != std::string::npos;
   }));
 }
@@ -114,7 +114,7 @@ TEST(moored_recorder, follows_a_pull_ahead_and_warns_where_the_run_ends_before_i
   EXPECT_TRUE(sink.column("tensioner/paid_out").empty());
   ASSERT_EQ(r.assumptions.size(), 1U);
   EXPECT_NE(r.assumptions.front().find("is pulled 3.00 m ahead in one move from t = 4 s on."), std::string::npos);
-  EXPECT_TRUE(std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& warning) {
+  EXPECT_TRUE(std::ranges::any_of(messages(r.findings), [](const std::string& warning) {
     return warning.find("too short for the operation") != std::string::npos;
   }));
 }

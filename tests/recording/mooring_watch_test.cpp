@@ -59,19 +59,19 @@ const Second& usual() {
   return kSecond;
 }
 
-bool says(const std::vector<std::string>& warnings, const std::string& words) {
-  return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
-    return warning.find("\"port bow\"") != std::string::npos && warning.find(words) != std::string::npos;
+bool says(const Findings& findings, const std::string& words) {
+  return std::ranges::any_of(findings, [&](const Finding& finding) {
+    return finding.object == "mooring line port bow" && finding.message.find(words) != std::string::npos;
   });
 }
 
 // The line has some 320 kN.
 TEST(mooring_watch, says_which_line_is_beyond_what_it_bears) {
-  const std::vector<std::string> weak = second_with([](MooringsDescription& moorings) {
-                                          MooringLineDescription& line = moorings.lines.front();
-                                          line.segments.front().type.breaking_load = 250e3;
-                                          line.anchor_holding.holding = 200e3;
-                                        }).results.warnings;
+  const Findings weak = second_with([](MooringsDescription& moorings) {
+                          MooringLineDescription& line = moorings.lines.front();
+                          line.segments.front().type.breaking_load = 250e3;
+                          line.anchor_holding.holding = 200e3;
+                        }).results.findings;
   EXPECT_TRUE(says(weak, "its breaking load of 250.0 kN"));
   EXPECT_TRUE(says(weak, "holding power"));
 }
@@ -89,7 +89,7 @@ TEST(mooring_watch, begins_with_the_tensions_of_statics_where_there_is_no_curren
 
 TEST(mooring_watch, tells_of_lines_what_statics_tells_while_little_moves) {
   const Second& second = usual();
-  EXPECT_FALSE(says(second.results.warnings, "kN"));
+  EXPECT_FALSE(says(second.results.findings, "kN"));
   const std::vector<MooringLineResult>& rest = second.statics.moorings->rest.moorings;
   const std::vector<MooringLineDynamics>& lines = second.results.moorings;
   ASSERT_EQ(lines.size(), 8U);
@@ -168,7 +168,7 @@ TEST(mooring_watch, tells_what_a_brake_lets_out) {
     changed += line.brake_rendered;
   }
   EXPECT_GT(changed, 1e-3);
-  EXPECT_TRUE(std::any_of(second.results.warnings.begin(), second.results.warnings.end(), [](const auto& warning) {
+  EXPECT_TRUE(std::ranges::any_of(messages(second.results.findings), [](const auto& warning) {
     return warning.find("its brake, set to 375.0 kN, paid out") != std::string::npos;
   }));
 }
@@ -180,7 +180,7 @@ TEST(mooring_watch, says_that_a_brake_of_quasi_static_lines_would_have_rendered)
     moorings.winches.front().brake = 100e3;
   });
   EXPECT_TRUE(
-      says(second.results.warnings, "more than its winch's brake (quasi-static lines: not rendered) of 100.0 kN"));
+      says(second.results.findings, "more than its winch's brake (quasi-static lines: not rendered) of 100.0 kN"));
 }
 
 TEST(mooring_watch, says_at_which_tension_a_winch_without_a_stall_of_its_own_hauls_no_more) {
@@ -192,7 +192,7 @@ TEST(mooring_watch, says_at_which_tension_a_winch_without_a_stall_of_its_own_hau
       winch.haul = 60e3;  // less than any line bears
     }
   });
-  EXPECT_TRUE(says(second.results.warnings, "it stalls at 60.0 kN"));
+  EXPECT_TRUE(says(second.results.findings, "it stalls at 60.0 kN"));
 }
 
 TEST(mooring_watch, says_that_a_long_way_of_a_winch_makes_a_long_element) {
@@ -201,8 +201,8 @@ TEST(mooring_watch, says_that_a_long_way_of_a_winch_makes_a_long_element) {
     winch.mode = WinchMode::length;
     winch.program = {{100.0, 0.0}, {400.0, 60.0}};
   });
-  EXPECT_TRUE(says(second.results.warnings, "its shape and tension are less accurate"));
-  EXPECT_FALSE(says(usual().results.warnings, "its shape and tension are less accurate"));
+  EXPECT_TRUE(says(second.results.findings, "its shape and tension are less accurate"));
+  EXPECT_FALSE(says(usual().results.findings, "its shape and tension are less accurate"));
 }
 
 TEST(mooring_watch, a_resumed_run_tells_the_same_bits) {

@@ -208,7 +208,7 @@ TEST(tensioner_in_time, pays_out_until_its_travel_ends_and_says_so) {
   EXPECT_NEAR(r.tensioner.travel.min, -0.05, 1e-4);
   EXPECT_GT(r.tensioner.limit_count, 0);
   EXPECT_GT(r.tensioner.time_at_limit, 0.0);
-  EXPECT_TRUE(std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& w) {
+  EXPECT_TRUE(std::ranges::any_of(messages(r.findings), [](const std::string& w) {
     return w.find("the tensioner was at its travel limit") != std::string::npos;
   }));
 }
@@ -220,8 +220,9 @@ TEST(tensioner_in_time, a_constant_one_that_goes_beyond_its_travel_is_told) {
     const TimedLay c(d);
     MemorySink sink;
     const DynamicResults r = c.results(sink);
-    return std::any_of(r.warnings.begin(), r.warnings.end(),
-                       [](const std::string& w) { return w.find("more than tensioner.travel") != std::string::npos; });
+    return std::ranges::any_of(messages(r.findings), [](const std::string& w) {
+      return w.find("more than tensioner.travel") != std::string::npos;
+    });
   };
   EXPECT_TRUE(told(0.001));
   EXPECT_FALSE(told(50.0));

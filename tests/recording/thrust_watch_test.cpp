@@ -55,12 +55,12 @@ TEST(thrust_watch, counts_the_time_in_which_more_is_asked_for_than_there_is) {
   EXPECT_NEAR(thrust[1].given.std, 90e3 * std::sqrt(square), 5.0);
   EXPECT_FALSE(thrust[0].limit);
   EXPECT_EQ(thrust[0].time_at_limit, 0.0);
-  ASSERT_EQ(watch.warnings().size(), 1U);
-  EXPECT_NE(
-      watch.warnings()[0].find("at its limit in sway for 600 s, 67 % of the run: up to 90 kN is asked for, and it "
-                               "gives 45 kN at most (station_keeping.dp.sway.thrust_limit)"),
-      std::string::npos)
-      << watch.warnings()[0];
+  ASSERT_EQ(watch.findings().size(), 1U);
+  EXPECT_NE(watch.findings()[0].message.find(
+                "at its limit in sway for 600 s, 67 % of the run: up to 90 kN is asked for, and it "
+                "gives 45 kN at most (station_keeping.dp.sway.thrust_limit)"),
+            std::string::npos)
+      << watch.findings()[0].message;
 }
 
 TEST(thrust_watch, is_along_the_slow_heading_with_the_damper_on_the_slow_rate) {
@@ -82,7 +82,7 @@ TEST(thrust_watch, comes_back_from_a_checkpoint_and_is_silent_without_dynamic_po
   none.start(at(-1.0, Vec3::Zero()));
   none.add(at(1.0, Vec3::Zero()), 1.0);
   EXPECT_TRUE(none.results().empty());
-  EXPECT_TRUE(ThrustWatch(nullptr).warnings().empty());
+  EXPECT_TRUE(ThrustWatch(nullptr).findings().empty());
 }
 
 }  // namespace

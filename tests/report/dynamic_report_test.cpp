@@ -197,7 +197,8 @@ TEST(dynamic_report, lists_the_boxes_that_the_pipe_left_in_the_order_of_time) {
 TEST(dynamic_report, hostile_words_of_the_user_are_harmless) {
   const std::string attack = "</script><script>alert(1)</script><img src=x onerror=alert(2)>";
   DynamicResults results = example();
-  results.warnings = results.assumptions = {attack};
+  results.findings = {{FindingCode::unknown, attack}};
+  results.assumptions = {attack};
   results.supports.front().name = attack;
   results.histories.front().name = "support/" + attack + "/reaction";
   results.run.integrator = attack;

@@ -12,7 +12,7 @@
 #include "report/bgl1_results.h"
 #include "report/page_text.h"
 #include "report/report.h"
-#include "report/verdict.h"
+#include "results/verdict.h"
 
 namespace overbend {
 namespace {
@@ -37,8 +37,8 @@ CheckTable table_of(const std::vector<CheckRow>& rows) {
   return table;
 }
 
-std::string words_of(const std::vector<CheckRow>& rows, const std::vector<std::string>& warnings = {}) {
-  return verdict_of(table_of(rows), weighed(warnings)).words;
+std::string words_of(const std::vector<CheckRow>& rows, const Findings& findings = {}) {
+  return make_verdict(table_of(rows), findings).words;
 }
 
 TEST(verdict, is_passed_where_nothing_governing_is_exceeded) {
@@ -54,7 +54,7 @@ TEST(verdict, names_the_exceeded_check_that_is_used_most_and_how_much) {
       check_of("Laying criterion I, static strain", CheckRegion::overbend, CheckStatus::exceeded, 1.1);
   EXPECT_EQ(words_of({strain, tip}), "EXCEEDED 1.43, clearance at the stinger tip");
   EXPECT_EQ(words_of({strain}), "EXCEEDED 1.10, laying criterion I, static strain, overbend");
-  EXPECT_NE(verdict_of(table_of({strain, tip}), {}).because.find("2 governing checks are exceeded."),
+  EXPECT_NE(make_verdict(table_of({strain, tip}), {}).because.find("2 governing checks are exceeded."),
             std::string::npos);
 }
 
@@ -63,40 +63,23 @@ TEST(verdict, an_exceeded_check_is_never_rounded_to_one) {
             "EXCEEDED 1.0004, roller force");
 }
 
-TEST(verdict, what_was_not_judged_and_serious_warnings_are_reservations) {
+TEST(verdict, what_was_not_judged_and_serious_findings_are_reservations) {
   const CheckRow passed = check_of("Equivalent stress", CheckRegion::sagbend, CheckStatus::passed, 0.4);
   const CheckRow outside = check_of("Local buckling", CheckRegion::overbend, CheckStatus::outside_validity, 0.0);
-  EXPECT_EQ(words_of({passed, outside}), "PASSED WITH RESERVATIONS: 1 not judged");
-  EXPECT_EQ(words_of({passed}, {"compression: the effective tension falls to -3.10 kN at the seabed"}),
-            "PASSED WITH RESERVATIONS: 1 serious warning");
-  EXPECT_EQ(words_of({passed}, {"something new"}), "PASSED");
+  EXPECT_EQ(words_of({passed, outside}, unjudged_checks(table_of({outside}))),
+            "PASSED WITH RESERVATIONS: 1 serious finding: check-not-judged");
+  Findings findings = {{FindingCode::compression, "compression"}, {FindingCode::pipe_off_rollers, "off"}};
+  EXPECT_EQ(words_of({passed}, findings),
+            "PASSED WITH RESERVATIONS: 2 serious findings: compression, pipe-off-rollers");
+  EXPECT_EQ(words_of({passed}, {{FindingCode::free_spans, "spans"}}), "PASSED");
+  accept(findings, {"compression", "pipe-off-rollers"});
+  EXPECT_EQ(words_of({passed}, findings), "PASSED");
 }
 
 TEST(verdict, without_any_judged_check_nothing_is_claimed) {
   EXPECT_EQ(words_of({}), "NOT JUDGED");
   EXPECT_EQ(words_of({check_of("Laying criterion II", CheckRegion::overbend, CheckStatus::not_done, 0.0)}),
             "NOT JUDGED");
-}
-
-TEST(warning_weight, the_heaviest_stand_first_and_no_folder_is_told) {
-  const std::vector<WeighedWarning> all =
-      weighed({"/home/me/secret/model.yaml:12: warning: pipe.steel: thin", "the pipe runs off the end of a roller: tip",
-               "compression: the effective tension falls to -3.10 kN at the seabed"});
-  ASSERT_EQ(all.size(), 3u);
-  EXPECT_EQ(all[0].weight, WarningWeight::serious);
-  EXPECT_EQ(all[1].weight, WarningWeight::caution);
-  EXPECT_EQ(all[2].text, "model.yaml:12: pipe.steel: thin");
-}
-
-TEST(warning_weight, a_kind_that_is_told_many_times_stands_before_no_other_kind) {
-  const std::vector<WeighedWarning> all =
-      weighed({"the pipe left 'stinger 7' over its side to port at t = 3.1 s",
-               "the pipe left 'stinger 6' over its side to starboard at t = 3.4 s",
-               "compression: the effective tension falls to -3.10 kN at the seabed"});
-  ASSERT_EQ(all.size(), 3u);
-  EXPECT_NE(all[0].text.find("stinger 7"), std::string::npos) << all[0].text;
-  EXPECT_EQ(all[1].text, "Compression: the effective tension falls to -3.10 kN at the seabed");
-  EXPECT_NE(all[2].text.find("stinger 6"), std::string::npos) << all[2].text;
 }
 
 /// All text between quotes of the sources that speak of assumptions and warnings, pieces of one text joined.
@@ -107,7 +90,7 @@ std::string said_by_the_program() {
     for (const auto& entry :
          std::filesystem::recursive_directory_iterator(std::string(OVERBEND_SOURCE_DIR) + "/src/overbend/" + folder)) {
       const std::string name = entry.path().filename();
-      if (entry.path().extension() != ".cpp" || name == "assumption_rank.cpp" || name == "warning_weight.cpp") continue;
+      if (entry.path().extension() != ".cpp" || name == "assumption_rank.cpp") continue;
       std::ifstream in(entry.path());
       text += std::string(std::istreambuf_iterator<char>(in), {});
     }
@@ -117,7 +100,7 @@ std::string said_by_the_program() {
 
 TEST(report_phrases, are_all_said_by_the_program) {
   const std::string said = said_by_the_program();
-  std::vector<std::string> phrases = serious_phrases();
+  std::vector<std::string> phrases;
   for (const AssumptionRank rank : {AssumptionRank::decides, AssumptionRank::given}) {
     const std::vector<std::string>& more = assumption_phrases(rank);
     phrases.insert(phrases.end(), more.begin(), more.end());

@@ -73,7 +73,12 @@ TEST(hold_points, know_nothing_of_rollers_where_there_are_none) {
 
 TEST(hold_points, hardest_stage_is_that_of_the_largest_check_or_cable) {
   OperationResults results = synthetic_abandonment();
-  results.stages[2].lay->cable->utilisation = 7.5;
+  CheckRow cable;
+  cable.id = "cable_load";
+  cable.name = "Cable, breaking load over safety factor";
+  cable.status = CheckStatus::exceeded;
+  cable.utilisation = 7.5;
+  results.stages[2].lay->checks.rows.push_back(cable);
   EXPECT_EQ(hardest_stage(results), 2u);
   EXPECT_NE(largest_use(results.stages[2])->what.find("cable"), std::string::npos);
   results.stages[4].lay->checks.rows.front().governing = true;

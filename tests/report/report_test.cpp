@@ -72,14 +72,15 @@ TEST(report, has_a_panel_of_every_diagram_for_whole_line_and_overbend) {
   }
 }
 
-TEST(report, says_in_its_head_how_many_warnings_there_are) {
+TEST(report, says_in_its_head_how_many_findings_there_are) {
   StaticResults results = bgl1().results;
-  results.warnings.clear();
+  results.findings.clear();
   EXPECT_NE(report_html(results, "").find("<dd>converged</dd>"), std::string::npos);
-  results.warnings = {"one", "two"};
+  results.findings = {{FindingCode::unknown, "one"}, {FindingCode::unknown, "two"}};
   const std::string page = report_html(results, "");
-  EXPECT_NE(page.find("<dd>converged, 2 warnings</dd>"), std::string::npos);
-  EXPECT_NE(page.find("<li class=\"caution\"><b>Caution</b> Two</li>"), std::string::npos);
+  EXPECT_NE(page.find("<dd>converged, 2 findings</dd>"), std::string::npos);
+  EXPECT_NE(page.find("<li class=\"caution\"><b>Caution</b> Two <span class=\"code\">unknown</span></li>"),
+            std::string::npos);
 }
 
 TEST(report, marks_the_tile_of_stress_beyond_yield_and_only_then) {
@@ -96,7 +97,7 @@ TEST(report, hostile_words_of_the_user_are_harmless) {
   StaticResults results = bgl1().results;
   results.title = attack;
   results.vessel_name = attack;
-  results.warnings = {attack};
+  results.findings = {{FindingCode::unknown, attack}};
   results.supports.front().name = attack;
   const std::string page = report_html(results, "title: " + attack);
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);

@@ -48,9 +48,9 @@ TEST(study_page, groups_hold_mean_and_range_of_their_seeds) {
 
 TEST(study_page, a_group_passes_where_every_seed_does) {
   StudyResults results = synthetic_study("curves");
-  ASSERT_TRUE(study_groups(results).front().passed);
-  results.cases[1].passed = false;
-  EXPECT_FALSE(study_groups(results).front().passed);
+  ASSERT_EQ(study_groups(results).front().verdict, VerdictKind::passed);
+  results.cases[1].verdict = VerdictKind::reserved;
+  EXPECT_EQ(study_groups(results).front().verdict, VerdictKind::reserved);
 }
 
 TEST(study_page, failed_cases_are_listed_with_reason_and_command) {
@@ -113,14 +113,14 @@ TEST(study_page, a_study_without_code_checks_does_not_say_that_any_is_passed) {
   for (StudyCase& one : results.cases) {
     one.governing.clear();
     one.utilisation.reset();
-    one.passed = true;
+    one.verdict = VerdictKind::not_judged;
   }
   const std::string all = std::to_string(results.cases.size()), page = study_html(results);
   EXPECT_TRUE(has(page, all + " of " + all + " cases solved"));
-  EXPECT_TRUE(has(page, "No code check is made"));
+  EXPECT_TRUE(has(page, "are not judged"));
   EXPECT_FALSE(has(page, "governing check passed"));
   EXPECT_FALSE(has(page, ">passed<"));
-  results.cases[0].governing = "laying criterion I, overbend";
+  for (StudyCase& one : results.cases) one.verdict = VerdictKind::passed;
   EXPECT_TRUE(has(study_html(results), all + " of " + all + " cases pass<"));
 }
 

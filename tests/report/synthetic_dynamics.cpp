@@ -279,7 +279,7 @@ DynamicResults synthetic_dynamics(const StaticResults& statics, bool calm) {
   r.output_step = 0.5;
   r.seed = 7;
   r.assumptions = {"The sea is long-crested.", "Water moves as linear waves with Wheeler stretching tell."};
-  r.warnings = {"the tension left the operational range"};
+  r.findings = {{FindingCode::tension_drifts, "the tension left the operational range"}};
   fill_stations(r, statics);
   r.top_tension = around(statics.top_tension, 9e3);
   r.bottom_tension = around(statics.bottom_tension, 8e3);

@@ -53,12 +53,12 @@ void fill(StudyCase& one, double height, double period, double noise) {
   one.texts = {"", "", "", "laying criterion I, overbend"};
   one.utilisation = (250.0 + 60.0 * answer) / 400.0;
   one.governing = "laying criterion I, overbend";
-  one.passed = *one.utilisation <= 1.0;
+  one.verdict = *one.utilisation <= 1.0 ? VerdictKind::passed : VerdictKind::exceeded;
 }
 
 void fail(StudyCase& one) {
   one.state = StudyCaseState::failed;
-  one.passed = false;
+  one.verdict = VerdictKind::not_judged;
   one.values.assign(4, std::nullopt);
   one.texts.assign(4, "");
   one.reason = "no equilibrium: the tension 150 kN is below the suspended weight, 163 kN";

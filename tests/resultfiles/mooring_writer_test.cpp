@@ -99,7 +99,7 @@ TEST(mooring_writer, results_h5_gives_back_what_was_written) {
   const testing::TemporaryFolder folder;
   MooringResults results = two_states();
   results.hull = hull();
-  results.warnings = {"look at this"};
+  results.findings = {{FindingCode::unknown, "look at this"}};
   results.rest.moorings[0].clearance = 12.5;
   results.rest.moorings[0].nearest_object = "pipeline";
   results.rest.moorings[0].shape_W = {Vec3(57.0, 15.0, 3.0), Vec3(500.0, 200.0, -80.0), Vec3(963.0, 438.0, -89.0)};

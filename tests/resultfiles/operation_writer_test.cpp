@@ -25,7 +25,7 @@ OperationResults three_stages() {
   results.title = "lay-down";
   results.version = "1";
   results.type = OperationType::abandonment;
-  results.warnings = {"one warning"};
+  results.findings = {{FindingCode::unknown, "one warning"}};
   results.assumptions = {"one assumption"};
   results.wall_time = 0.25;
   StageResult& first = results.stages.emplace_back();
@@ -42,7 +42,7 @@ OperationResults three_stages() {
   third.lay->far_anchor = StartUpAnchorResult{900.0, 205e3, 290.0};
   third.barge_ahead = 12.5;
   third.governing = "sagbend strain";
-  third.warnings = {"tension below the range"};
+  third.findings = {{FindingCode::unknown, "tension below the range"}};
   return results;
 }
 

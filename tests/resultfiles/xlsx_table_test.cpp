@@ -15,9 +15,10 @@ DataTable small_table() {
   DataTable table;
   table.name = "lay table: 1/2";
   table.columns = {{"row"}, {"top tension [kN]", 1}, {"verdict"}};
-  table.rows = {{std::string("step"), 251.25, VerdictCell{true, "passed"}},
-                {std::string("a & b"), std::numeric_limits<double>::quiet_NaN(), VerdictCell{false, "exceeded"}},
-                {std::string("empty"), std::monostate(), VerdictCell{false, "no lay"}}};
+  table.rows = {
+      {std::string("step"), 251.25, VerdictCell{VerdictKind::passed, "passed"}},
+      {std::string("a & b"), std::numeric_limits<double>::quiet_NaN(), VerdictCell{VerdictKind::exceeded, "exceeded"}},
+      {std::string("empty"), std::monostate(), VerdictCell{VerdictKind::exceeded, "no lay"}}};
   return table;
 }
 

@@ -150,7 +150,7 @@ TEST(motion_record_checks, a_spike_is_warned_of_with_row_and_value) {
     const Reading reading = read(spiked);
     ASSERT_TRUE(reading.history);
     ASSERT_EQ(reading.warnings.size(), 1U) << joined(reading.warnings);
-    EXPECT_TRUE(says(reading.warnings, "motion.csv:102: warning: heave_m leaps by")) << reading.warnings[0];
+    EXPECT_TRUE(says(reading.warnings, "motion.csv:102: heave_m leaps by")) << reading.warnings[0];
     EXPECT_TRUE(says(reading.warnings, "at t = 50 s")) << reading.warnings[0];
   }
 }
@@ -209,7 +209,7 @@ TEST(motion_record_checks, a_few_rows_that_stand_still_are_told_by_the_digits_of
 TEST(motion_record_checks, a_row_of_zeros_in_every_column_is_warned_of) {
   const Motion motion = random_motion();
   const auto blank = [&](double t) { return t == 60.0 ? Row{} : motion(t); };
-  EXPECT_TRUE(says(read(blank).warnings, "motion.csv:122: warning: all columns are 0 at t = 60 s: did"))
+  EXPECT_TRUE(says(read(blank).warnings, "motion.csv:122: all columns are 0 at t = 60 s: did"))
       << joined(read(blank).warnings);
   const auto from_rest = [&](double t) { return t < 60.0 ? Row{} : motion(t); };
   EXPECT_FALSE(says(read(from_rest).warnings, "all columns are 0"));

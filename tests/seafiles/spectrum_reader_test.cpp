@@ -87,7 +87,7 @@ TEST_F(SpectrumFile, beside_the_model_is_part_of_it) {
   ASSERT_TRUE(reading.description.has_value());
   EXPECT_EQ(reading.description->environment.waves.spectrum.size(), 3U);
   EXPECT_NEAR(reading.description->environment.waves.hs, 4.0 * std::sqrt(0.5 * 0.25 * 10.0), 1e-12);
-  EXPECT_TRUE(reading.description->warnings.empty());
+  EXPECT_TRUE(reading.description->findings.empty());
 }
 
 TEST_F(SpectrumFile, that_begins_with_a_byte_order_mark_is_read_as_any_other_table) {
@@ -134,8 +134,8 @@ TEST_F(SpectrumFile, with_a_fault_stops_the_model_at_its_own_line) {
 TEST_F(SpectrumFile, that_is_not_there_is_told_but_does_not_stop_statics) {
   const ModelReading reading = read(user);
   ASSERT_TRUE(reading.description.has_value());
-  ASSERT_EQ(reading.description->warnings.size(), 1U);
-  EXPECT_NE(reading.description->warnings[0].find("dynamic analysis will require it"), std::string::npos);
+  ASSERT_EQ(reading.description->findings.size(), 1U);
+  EXPECT_NE(messages(reading.description->findings)[0].find("dynamic analysis will require it"), std::string::npos);
 }
 
 TEST_F(SpectrumFile, that_is_a_folder_is_refused) {
@@ -150,7 +150,7 @@ TEST_F(SpectrumFile, waves_of_the_file_are_bound_with_all_their_keys) {
   EXPECT_EQ(waves.type, WaveType::stokes5);
   EXPECT_DOUBLE_EQ(waves.phase, 0.5 * std::numbers::pi);
   EXPECT_DOUBLE_EQ(waves.height, 6.0);
-  EXPECT_TRUE(reading.description->warnings.empty());
+  EXPECT_TRUE(reading.description->findings.empty());
 }
 
 TEST_F(SpectrumFile, doubtful_waves_are_told) {
@@ -167,8 +167,8 @@ TEST_F(SpectrumFile, doubtful_waves_are_told) {
   for (const Doubt& doubt : doubts) {
     const ModelReading reading = read(doubt.waves);
     ASSERT_TRUE(reading.description.has_value()) << doubt.waves;
-    ASSERT_EQ(reading.description->warnings.size(), 1U) << doubt.waves;
-    const std::string& line = reading.description->warnings[0];
+    ASSERT_EQ(reading.description->findings.size(), 1U) << doubt.waves;
+    const std::string line = messages(reading.description->findings)[0];
     EXPECT_NE(line.find(doubt.words), std::string::npos) << line;
   }
 }

@@ -100,7 +100,7 @@ TEST(curved_route, without_friction_the_pipe_leaves_the_bend_for_its_chord) {
   ASSERT_TRUE(held.results.route && loose.results.route);
   EXPECT_FALSE(loose.results.route->holds);
   EXPECT_GT(loose.results.route->largest_offset, 20.0 * std::abs(held.results.route->largest_offset));
-  EXPECT_TRUE(std::ranges::any_of(loose.results.warnings, [](const std::string& warning) {
+  EXPECT_TRUE(std::ranges::any_of(messages(loose.results.findings), [](const std::string& warning) {
     return warning.find("the route does not hold") != std::string::npos;
   }));
 }

@@ -173,7 +173,7 @@ TEST(lines_statics, an_upright_line_has_its_weight_or_is_told_to_be_folded) {
     ASSERT_TRUE(outcome.results) << slack;
     const double weight = (180.0 + slack) * hose.weight_submerged;
     const bool right = std::abs(outcome.results->lines.front().first.tension - weight) < 0.1 * weight;
-    const bool told = std::ranges::any_of(outcome.results->warnings, [](const std::string& warning) {
+    const bool told = std::ranges::any_of(messages(outcome.results->findings), [](const std::string& warning) {
       return warning.find("an element is folded") != std::string::npos;
     });
     EXPECT_TRUE(right || told) << slack << ": " << outcome.results->lines.front().first.tension;

@@ -91,15 +91,15 @@ TEST(moored_lay, whose_pipe_bears_on_side_rollers_is_said_to_have_other_equilibr
   const auto told = [&] {
     Model model = build_model(d);
     const LayOutcome lay = solve_lay(model);
-    return warn_of_side_rollers(d, recover_statics(model, *lay.solution));
+    return find_side_roller_contact(d, recover_statics(model, *lay.solution));
   };
   EXPECT_FALSE(told());  // lengths hold the barge in its place
   d.moorings->find = FindMooring::pose;
-  const std::optional<std::string> warning = told();
-  ASSERT_TRUE(warning);
+  const std::optional<Finding> finding = told();
+  ASSERT_TRUE(finding);
   // Which boxes bear differs between the equilibria, and rounding decides which of them is found.
-  EXPECT_NE(warning->find("the pipe bears on side rollers of '"), std::string::npos) << *warning;
-  EXPECT_NE(warning->find(" kN)"), std::string::npos) << *warning;
+  EXPECT_NE(finding->message.find("the pipe bears on side rollers of '"), std::string::npos) << finding->message;
+  EXPECT_NE(finding->message.find(" kN)"), std::string::npos) << finding->message;
   d.environment.current.clear();  // the barge stays on the course of the pipe
   EXPECT_FALSE(told());
 }

@@ -99,7 +99,8 @@ TEST(static_ways, a_pipe_stays_on_its_rollers_in_a_current_where_it_could_also_l
     const StaticResults found = recover_statics(model, solve_statics(model).solution.value());
     EXPECT_NEAR(found.overbend->von_mises.value, wanted.overbend->von_mises.value, 1e4) << one.tension;
     EXPECT_NEAR(found.lay_back, wanted.lay_back, 1e-3) << one.tension;
-    for (const std::string& warning : found.warnings) EXPECT_EQ(warning.find("has left"), std::string::npos) << warning;
+    for (const std::string& warning : messages(found.findings))
+      EXPECT_EQ(warning.find("has left"), std::string::npos) << warning;
   }
 }
 
@@ -111,7 +112,7 @@ TEST(static_ways, bgl1_is_held_by_its_rollers_in_15_per_cent_more_current_and_no
     const Model model = build_model(d);
     const StaticOutcome outcome = solve_statics(model);
     if (!outcome.solution) return false;
-    for (const std::string& warning : recover_statics(model, *outcome.solution).warnings) {
+    for (const std::string& warning : messages(recover_statics(model, *outcome.solution).findings)) {
       if (warning.find("has left") != std::string::npos) return false;
     }
     return true;

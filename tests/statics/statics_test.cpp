@@ -291,7 +291,7 @@ TEST(statics, a_pipe_that_a_current_drives_off_its_rollers_is_said_to_have_left_
       EXPECT_NE(outcome.failure->why.find("the pipe lay beside '"), std::string::npos) << outcome.failure->why;
       continue;
     }
-    const std::vector<std::string> warnings = recover_statics(model, *outcome.solution).warnings;
+    const std::vector<std::string> warnings = messages(recover_statics(model, *outcome.solution).findings);
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
       return warning.find("the pipe has left '") != std::string::npos && warning.find("to port") != std::string::npos;
     })) << factor;
@@ -313,7 +313,8 @@ TEST(statics, a_pipe_that_nothing_holds_on_its_rollers_is_said_to_run_off_them) 
 // then, which is negative, not how far from its end.
 TEST(statics, a_pipe_that_hangs_below_the_rollers_it_ran_off_is_said_to_have_left_them) {
   const auto warned = [](const StaticResults& r, const std::string& words) {
-    return std::ranges::any_of(r.warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
+    return std::ranges::any_of(messages(r.findings),
+                               [&](const std::string& w) { return w.find(words) != std::string::npos; });
   };
   const auto solved = [](double current) {
     Model model = build_model(testing::lay_over_bottom_rollers(current));
@@ -371,7 +372,7 @@ TEST(statics, a_roller_that_carries_has_its_penetration_as_separation_however_st
 }
 
 bool warns_of_tension(const StaticResults& r) {
-  return std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& warning) {
+  return std::ranges::any_of(messages(r.findings), [](const std::string& warning) {
     return warning.find("the tension at the tensioner is") != std::string::npos;
   });
 }

@@ -37,7 +37,8 @@ StaticResults rest_of(const Description& description) {
 }
 
 bool warned(const StaticResults& lay, const std::string& words) {
-  return std::ranges::any_of(lay.warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
+  return std::ranges::any_of(messages(lay.findings),
+                             [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
 void expect_stinger(const StaticResults& lay, const Json& wanted) {

@@ -115,7 +115,7 @@ TEST(exceeded_early, fatigue_is_left_out_of_the_verdict_of_a_run_that_ended_earl
   conduct.until_exceeded = true;
   const CaseAnswer early = evaluate_case(base, {}, neighbour, conduct);
   ASSERT_EQ(early.ending, RunEnding::done) << early.why;
-  EXPECT_FALSE(early.passed);
+  EXPECT_EQ(early.verdict, VerdictKind::exceeded);
   EXPECT_EQ(early.governing, "Tension at the tensioner");
 }
 

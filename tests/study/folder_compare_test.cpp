@@ -41,7 +41,7 @@ TEST(folder_compare, a_folder_does_not_differ_from_itself) {
   const fs::path one = solve(folder, "one", kSmallLay);
   const FolderComparison comparison = compare_folders({one, one});
   EXPECT_TRUE(comparison.keys.empty());
-  EXPECT_TRUE(partial_warnings(comparison).empty());
+  EXPECT_TRUE(partial_findings(comparison).empty());
   for (const ComparedResult& each : comparison.results) EXPECT_EQ(each.largest_change(), 0.0) << each.name;
 }
 

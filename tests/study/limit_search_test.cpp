@@ -12,8 +12,8 @@ TryLay lays_of(std::function<double(double)> utilisation) {
   return [utilisation = std::move(utilisation)](double value) {
     LayTableValues values;
     values.utilisation = utilisation(value);
-    values.passed = *values.utilisation <= 1.0;
-    return LayCase{value, 0.0, values, values.passed ? "" : "a check is exceeded"};
+    values.verdict = *values.utilisation <= 1.0 ? VerdictKind::passed : VerdictKind::exceeded;
+    return LayCase{value, 0.0, values, values.passed() ? "" : "a check is exceeded"};
   };
 }
 

@@ -130,8 +130,8 @@ TEST(lines_run, says_which_line_pulls_its_end_off_the_bed) {
   d.lines[1].segments[0].length = 401.0;  // the way is 403.1 m
   const LinesOutcome outcome = solve_lines(build_model(d));
   ASSERT_TRUE(outcome.results);
-  ASSERT_EQ(outcome.results->warnings.size(), 1u);
-  EXPECT_NE(outcome.results->warnings[0].find("\"east\": pulls its end on the bed up"), std::string::npos);
+  ASSERT_EQ(outcome.results->findings.size(), 1u);
+  EXPECT_NE(messages(outcome.results->findings)[0].find("\"east\": pulls its end on the bed up"), std::string::npos);
 }
 
 TEST(lines_run, refuses_an_end_that_leaps_at_the_beginning) {
@@ -167,7 +167,7 @@ TEST(lines_run, refuses_a_vessel_that_leaps_or_whose_record_ends_before_the_run)
 }
 
 bool has_warning(const LinesResults& results, const std::string& words) {
-  return std::ranges::any_of(results.warnings,
+  return std::ranges::any_of(messages(results.findings),
                              [&](const std::string& told) { return told.find(words) != std::string::npos; });
 }
 

@@ -57,8 +57,8 @@ DynamicResults results_of(double build_up, double duration) {
 }
 
 bool warned(const DynamicResults& results, const std::string& words) {
-  return std::any_of(results.warnings.begin(), results.warnings.end(),
-                     [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
+  return std::ranges::any_of(messages(results.findings),
+                             [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
 }
 
 Description waves_of_ten_seconds() {
@@ -144,7 +144,7 @@ TEST(motion_parts, a_run_too_short_for_the_slow_motion_is_named) {
   RunStore longer = run_of(folder.path() / "long", 240.0, 2400.0);
   DynamicResults enough = results_of(240.0, 2400.0);
   finish_motions(statics, waves_of_ten_seconds(), enough, longer);
-  EXPECT_TRUE(enough.warnings.empty());
+  EXPECT_TRUE(enough.findings.empty());
 }
 
 TEST(motion_parts, of_a_cycle_or_two_no_error_is_told_that_would_be_none) {

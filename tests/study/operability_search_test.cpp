@@ -49,24 +49,6 @@ const OperabilityGrid kChart = {{4, 6}, 21, 3};
 
 }  // namespace
 
-TEST(operability_search, tells_the_serious_warnings_of_a_limit) {
-  // The pipe leaves a box from the third value on, with the second seed alone; every check passes up to the limit.
-  Response response{[](std::size_t cell, std::size_t value, std::size_t seed) {
-                      TrialResult result = rising(cell, value, seed);
-                      if (cell == 0 && value >= 3 && seed == 1 && result.end == TrialEnd::passed) {
-                        result.serious = {"the pipe left 'stinger 8' over its side to port at t = 7 s"};
-                      }
-                      return result;
-                    },
-                    {},
-                    {}};
-  const std::vector<SearchedCell> cells = response.search(kChart);
-  EXPECT_TRUE(cells[0].serious);
-  EXPECT_EQ(cells[0].remark, "at the limit the pipe left 'stinger 8' over its side to port at t = 7 s (1 of 3 seeds)");
-  EXPECT_FALSE(cells[1].serious);
-  EXPECT_EQ(cells[1].remark, "");
-}
-
 TEST(operability_search, finds_the_largest_value_that_passes_with_every_seed) {
   Response response{rising, {}, {}};
   const std::vector<SearchedCell> cells = response.search(kChart);

@@ -46,7 +46,7 @@ TEST(prepared_case, of_a_hull_that_floats_in_statics_alone_warns_that_it_will_no
   barge.vessel.coupled.reset();
   barge.vessel.hydrostatics = HydrostaticsDescription{3.6e7, 2.1e9, 4.3e10};
   const auto prepared = std::get<0>(prepare_case(barge));
-  const std::vector<std::string>& warnings = prepared->statics.moorings->warnings;
+  const std::vector<std::string> warnings = messages(prepared->statics.moorings->findings);
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
     return warning.find("vessel.hydrostatics serve statics alone") != std::string::npos;
   }));

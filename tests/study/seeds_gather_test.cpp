@@ -68,7 +68,7 @@ TEST(seeds_gather, runs_of_which_one_is_not_stationary_have_no_extremes_of_three
   for (const double value : gumbel_sample(20.0, 10.0, 12)) results.runs.emplace_back().values = {value};
   fill_statistics(results);
   EXPECT_TRUE(results.statistics[0].enough);
-  results.runs[5].warnings = {"the record is not stationary: the anchor of mooring line \"A\" dragged by 3.00 m; none"};
+  results.runs[5].findings = {{FindingCode::record_not_stationary, "not stationary"}};
   fill_statistics(results);
   EXPECT_FALSE(results.statistics[0].enough);
   EXPECT_NEAR(results.statistics[0].mean, 20.0 + 10.0 * 0.5772, 2.0);

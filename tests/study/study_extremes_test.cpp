@@ -69,7 +69,7 @@ TEST(study_extremes, few_seeds_and_failed_cases_are_not_fitted) {
 
 TEST(study_extremes, of_three_hours_are_none_where_a_line_parted_in_one_of_the_runs) {
   StudyResults results = study_of(12);
-  results.cases[3].warnings = {"the record is not stationary: mooring line \"A\" parted at t = 50.0 s; there are none"};
+  results.cases[3].findings = {{FindingCode::record_not_stationary, "not stationary"}};
   const auto peaks = [](const StudyCase&) {
     return std::vector<HistoryPeaks>{{"top_tension_peak", false, {std::vector<double>(150, 2.0), 1200.0}}};
   };

@@ -66,15 +66,16 @@ std::vector<std::vector<std::optional<double>>> values_of(const StudyResults& re
   return rows;
 }
 
-TEST(study_runner, serious_warnings_of_cases_are_told_though_their_checks_pass) {
+TEST(study_runner, serious_findings_of_cases_are_told_though_their_checks_pass) {
   // Put into its record, since no small lay has such a warning.
   const Tried tried("axes: [{key: tensioner.tension, values: [280 kN, 300 kN]}]\n");
   run(tried);
   StudyCase one = recorded_case(*tried.cases, study_outputs(*tried.base), tried.folder(), 1);
-  one.warnings = {"the pipe has left 'stinger 2' over the side to port: it lies up to 0.57 m beyond"};
+  one.findings = {
+      Finding{FindingCode::pipe_off_rollers, "the pipe has left 'stinger 2' over the side"}.on("stinger 2")};
   write_case_record(one, tried.cases->inputs(), study_outputs(*tried.base), tried.folder(), {});
   const StudyResults results = study_so_far(tried.folder());
-  EXPECT_TRUE(std::ranges::any_of(results.warnings, [](const std::string& warning) {
+  EXPECT_TRUE(std::ranges::any_of(messages(results.findings), [](const std::string& warning) {
     return warning.starts_with("1 of 2 solved cases: the pipe has left 'stinger 2'");
   }));
 }
@@ -96,7 +97,7 @@ TEST(study_runner, statics_agree_with_those_solved_from_nothing) {
     EXPECT_NEAR(one.values[1].value(), statics["lay_back"].get<double>(), 0.1);
     const double stress = statics["sagbend"]["max_von_mises"];
     EXPECT_NEAR(one.values[2].value(), stress, 0.002 * stress);
-    EXPECT_EQ(one.passed, cold.passed);
+    EXPECT_EQ(one.verdict, cold.verdict);
     EXPECT_EQ(one.texts[3], one.governing);
   }
 }
@@ -287,7 +288,7 @@ TEST(study_runner, a_case_that_fails_alone_keeps_the_result_that_the_study_found
   StudyCase solved = tried.cases->at(1);  // as if the case beside it had led to a solution
   solved.state = StudyCaseState::done;
   solved.values = {123.0};
-  solved.passed = true;
+  solved.verdict = VerdictKind::passed;
   write_case_record(solved, tried.cases->inputs(), study_outputs(*tried.base), tried.folder());
   const std::string record = "out/" + solved.folder + "/case.json", before = tried.scratch.read(record);
   const StudyCase alone = run_study_case(*tried.base, *tried.cases, tried.folder(), 1, [] { return false; });
@@ -340,13 +341,13 @@ const std::string kAbandoned =
     "axial_stiffness: 2.7e5 kN, breaking_load: 4200 kN}\n"
     "  stages: [{cable_out: 20 m, tension: 300 kN}, {cable_out: 30 m, tension: 300 kN}]\n";
 
-TEST(study_runner, serious_warnings_of_the_stages_of_an_operation_are_told) {
+TEST(study_runner, serious_findings_of_the_stages_of_an_operation_are_told) {
   const std::string yields = testing::with(testing::kSmallLay, "yield_stress: 414 MPa", "yield_stress: 20 MPa");
   const Tried tried("analysis: operation\naxes: [{key: environment.water_depth, values: [20 m]}]\n",
                     yields + kAbandoned);
   ASSERT_EQ(run(tried).done, 1U);
   const StudyResults results = study_so_far(tried.folder());
-  EXPECT_TRUE(std::ranges::any_of(results.warnings, [](const std::string& warning) {
+  EXPECT_TRUE(std::ranges::any_of(messages(results.findings), [](const std::string& warning) {
     return warning.find("exceeds the yield stress of") != std::string::npos;
   }));
 }

@@ -26,6 +26,11 @@ struct FillVisitor {
   }
   void operator()(const ResultField&, bool& value) { value = (++next % 2) == 0; }
   void operator()(const ResultField& field, std::string& value) { value = field.name + " " + std::to_string(++next); }
+  void operator()(const ResultField& field, Finding& value) {
+    const double number = std::sqrt(2.0 + ++next);
+    value = Finding{FindingCode::free_spans, field.name + " " + std::to_string(next)}.on("pipe").at_time(number);
+    value.numbers = {{"length", number, "m"}};
+  }
   void operator()(const ResultField&, RollerPosition& value) { value = RollerPosition::starboard; }
   template <int Rows>
   void operator()(const ResultField& field, Eigen::Matrix<double, Rows, 1>& value) {

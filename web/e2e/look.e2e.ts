@@ -69,13 +69,13 @@ test('warnings are short, named, without paths of this machine, and folded after
   const page = await bench.open({ width: 1280, height: 720 }, async (p) => {
     await p.context().route('**/api/static', async (route) => {
       const answer = await route.fetch();
-      const json = await answer.json() as { warnings?: string[] };
-      json.warnings?.push('/home/me/models/rao.csv: 3 headings only', 'a second', 'a third', 'the pipe has left the box over the side to port: it lies up to 1.47 m beyond the ends of the bottom rollers, which no longer hold it');
+      const json = await answer.json() as { findings?: object[] };
+      json.findings?.push(...['/home/me/models/rao.csv: 3 headings only', 'a second', 'a third', 'the pipe has left the box over the side to port: it lies up to 1.47 m beyond the ends of the bottom rollers, which no longer hold it'].map((message) => ({ code: 'unknown', severity: 'caution', message })));
       await route.fulfill({ response: answer, json });
     });
   });
   await solved(page);
-  const box = page.locator('.warnings');
+  const box = page.locator('.findings');
   expect(await box.locator('li').count()).toBe(3);
   expect(await box.locator('li').first().innerText()).toMatch(/^stinger 8: the pipe runs off/);
   expect(await box.innerText()).toContain('rao.csv: 3 headings');

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { differences } from '../src/logic/differences';
 import { askedOfWaves, motionKind, motionValue } from '../src/logic/motion';
-import { bullet, bullets, keyName, withoutPaths } from '../src/logic/warnings';
+import { bullet, bullets, keyName, withoutPaths } from '../src/logic/findings';
 
 describe('warnings', () => {
   const boxes = ['stinger 1', 'stinger 12', 'ramp 1'];

@@ -8,14 +8,15 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/finding_lines.h"
 #include "app/stage_lines.h"
 #include "base/constants.h"
+#include "base/finding.h"
 #include "model/box_dip.h"
 #include "model/material_words.h"
 #include "model/model.h"
 #include "model/rao_limits.h"
-#include "report/warning_weight.h"
-#include "study/input_warnings.h"
+#include "study/input_findings.h"
 #include "study/lay_operation.h"
 #include "study/prepared_case.h"
 
@@ -136,16 +137,16 @@ int run_check(const std::string& model_file) {
     print_supports(model);
   }
   std::cout << planned_stages(*description);
-  std::vector<std::string> warnings = input_warnings(model);
+  Findings findings = input_findings(model);
   if (is_lay_operation(description->operation.type)) {
     if (const auto obstacle = operation_obstacle(*description)) {
-      warnings.push_back("the stages of the operation cannot be solved: " + failed_end(*obstacle, *description).why);
+      findings.push_back({FindingCode::stage_without_equilibrium,
+                          "the stages of the operation cannot be solved: " + failed_end(*obstacle, *description).why});
     }
   }
   print_raos(model);
-  std::transform(warnings.begin(), warnings.end(), warnings.begin(), without_mark);
   print_list("Assumptions", assumptions(model));
-  print_list("Warnings", warnings);
+  if (!findings.empty()) std::cout << "\nFindings\n" << finding_lines(findings);
   return kDone;
 }
 

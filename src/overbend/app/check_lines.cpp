@@ -4,13 +4,14 @@
 
 #include <iostream>
 
-#include "report/verdict.h"
 #include "results/fields/result_field.h"
+#include "results/verdict.h"
 
 namespace overbend {
 namespace {
 
 std::string place_of(const CheckRow& row) {
+  if (!is_on_pipe(row)) return row.remark;
   std::string text = fmt::format("{:.1f} m from the tensioner", row.from_top);
   if (row.in_time) text += fmt::format(", t = {:.1f} s", row.time);
   return text;
@@ -39,9 +40,20 @@ std::string check_lines(const CheckTable& table) {
   return text;
 }
 
-ExitCode strict_code(const CheckTable& table, bool strict) {
+std::string verdict_line(const CheckTable& table, const Findings& findings) {
+  return fmt::format("  {:<28}{}\n", "verdict", make_verdict(table, findings).words);
+}
+
+ExitCode strict_code(const CheckTable& table, const Findings& findings, bool strict) {
+  const VerdictKind kind = verdict_kind(table, findings);
+  if (!strict || kind == VerdictKind::passed) return kDone;
+  const std::string reserved = reservation(findings);
+  if (kind != VerdictKind::exceeded) {
+    if (reserved.empty()) return kDone;
+    std::cerr << "overbend: the checks are passed with reservations: " << reserved << "\n";
+    return kCheckExceeded;
+  }
   const CheckRow* worst = worst_check(table);
-  if (!strict || worst == nullptr || worst->status != CheckStatus::exceeded) return kDone;
   std::cerr << fmt::format("overbend: a check is exceeded: {} in {}: utilisation {:.3f} at {}\n", title_of(*worst),
                            worst->region == CheckRegion::line ? "the line" : word(worst->region), worst->utilisation,
                            place_of(*worst));

@@ -11,7 +11,11 @@ namespace overbend {
 /// The governing checks, a line per region: how far each is used, by what and where.
 std::string check_lines(const CheckTable& table);
 
-/// With `strict`, kCheckExceeded where a governing utilisation is above 1, told on stderr; else kDone.
-ExitCode strict_code(const CheckTable& table, bool strict);
+/// "  verdict                     PASSED"
+std::string verdict_line(const CheckTable& table, const Findings& findings);
+
+/// With `strict`, kCheckExceeded where the verdict is exceeded or reserved by serious findings, told on stderr; else
+/// kDone.
+ExitCode strict_code(const CheckTable& table, const Findings& findings, bool strict);
 
 }  // namespace overbend

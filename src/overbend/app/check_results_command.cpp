@@ -5,6 +5,7 @@
 #include "app/check_lines.h"
 #include "app/commands.h"
 #include "resultfiles/operation_reader.h"
+#include "results/findings.h"
 #include "results/worst_stage.h"
 #include "runstore/staged_folder.h"
 #include "study/operation_run.h"
@@ -42,19 +43,20 @@ ExitCode check_operation(const fs::path& h5, const CheckResultsArguments& argume
     std::cout << "Results are in " << arguments.output << "\n";
   }
   const StageResult* worst = worst_stage(again.results);
-  return worst != nullptr ? strict_code(worst->lay->checks, arguments.strict) : kDone;
+  const Findings findings = operation_findings(again.results);
+  return worst != nullptr ? strict_code(worst->lay->checks, findings, arguments.strict) : kDone;
 }
 
 ExitCode check_run(const fs::path& h5, const CheckResultsArguments& arguments, bool named) {
   if (has_lay_operation(h5)) return check_operation(h5, arguments);
   const Rechecked again = recheck(h5, arguments.changes);
   std::cout << again.statics.title << (named ? ", " + h5.parent_path().filename().string() : "") << "\n";
-  std::cout << check_lines(again.checks());
+  std::cout << check_lines(again.checks()) << verdict_line(again.checks(), again.findings());
   if (!arguments.output.empty()) {
     write_rechecked(again, h5, arguments.output);
     std::cout << "Results are in " << arguments.output << "\n";
   }
-  return strict_code(again.checks(), arguments.strict);
+  return strict_code(again.checks(), again.findings(), arguments.strict);
 }
 
 }  // namespace

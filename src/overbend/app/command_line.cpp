@@ -220,6 +220,8 @@ void add_schema(CLI::App& program, int& code) {
   command->add_flag_callback(
       "--reference", [form] { *form = SchemaForm::reference; }, "Print the reference page (Markdown) instead");
   command->add_flag_callback(
+      "--findings", [form] { *form = SchemaForm::findings; }, "Print the page of findings (Markdown) instead");
+  command->add_flag_callback(
       "--types", [form] { *form = SchemaForm::types; }, "Print the TypeScript types of results instead");
   command->callback([form, &code] { code = run_schema(*form); });
 }

@@ -112,7 +112,7 @@ struct ServeArguments {
 int run_serve(const ServeArguments& arguments);
 
 /// What `schema` prints.
-enum class SchemaForm { json, reference, types };
+enum class SchemaForm { json, reference, findings, types };
 int run_schema(SchemaForm form);
 /// Prints the licences of the program and of all that it brings along.
 int run_licences();

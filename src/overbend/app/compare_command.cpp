@@ -5,9 +5,9 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/finding_lines.h"
 #include "app/follow_study.h"
-#include "app/warning_lines.h"
-#include "report/warning_weight.h"
+#include "base/finding.h"
 #include "resultfiles/seeds_writer.h"
 #include "study/compare_variants.h"
 
@@ -26,12 +26,9 @@ void print(const StaticResults& statics, const Comparison& comparison) {
     for (const ComparedRun& run : comparison.runs) std::cout << fmt::format("{:>13.5g}", run.values[i] * unit.factor);
     std::cout << " " << unit.name << "\n";
   }
-  for (const ComparedRun& run : comparison.runs) {
-    for (const std::string& warning : run.results.warnings) {
-      std::cout << "  warning: " << run.name << ": " << without_mark(warning) << "\n";
-    }
-  }
-  std::cout << warning_lines(statics.warnings);
+  std::vector<Findings> findings;
+  for (const ComparedRun& run : comparison.runs) findings.push_back(run.results.findings);
+  std::cout << shared_finding_lines(findings, "variants") << finding_lines(statics.findings);
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "base/finding.h"
 #include "report/folder_comparison_page.h"
-#include "report/warning_weight.h"
 #include "resultfiles/folder_comparison_writer.h"
 #include "results/fields/shown_unit.h"
 #include "runstore/staged_folder.h"
@@ -56,12 +56,13 @@ void print(const FolderComparison& comparison) {
   for (const ComparedResult& result : comparison.results) {
     if (result.key && lines++ < kMostLines) print_result(result);
   }
-  for (const PartialWarning& warning : partial_warnings(comparison)) {
+  for (const PartialFinding& partial : partial_findings(comparison)) {
     std::string who;
-    for (std::size_t i = 0; i < warning.has.size(); ++i) {
-      if (warning.has[i]) who += (who.empty() ? "" : ", ") + comparison.folders[i].name;
+    for (std::size_t i = 0; i < partial.has.size(); ++i) {
+      if (partial.has[i]) who += (who.empty() ? "" : ", ") + comparison.folders[i].name;
     }
-    std::cout << "  warning of " << who << " only: " << without_mark(warning.text) << "\n";
+    std::cout << "  " << name(partial.finding.severity()) << ", of " << who << " only: " << partial.finding.message
+              << "\n";
   }
 }
 

@@ -7,16 +7,16 @@
 #include "app/check_lines.h"
 #include "app/commands.h"
 #include "app/fatigue_lines.h"
+#include "app/finding_lines.h"
 #include "app/follow_study.h"
 #include "app/lines_command.h"
 #include "app/mooring_lines.h"
 #include "app/seeds_lines.h"
-#include "app/warning_lines.h"
+#include "base/finding.h"
 #include "model/model.h"
-#include "model/model_warnings.h"
-#include "report/warning_weight.h"
+#include "model/model_findings.h"
 #include "resultfiles/dynamic_reader.h"
-#include "results/warnings.h"
+#include "results/findings.h"
 #include "study/lines_run.h"
 #include "study/run_folder.h"
 #include "study/stage_choice.h"
@@ -60,11 +60,13 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
   std::cout << moored_dynamics_lines(r);
   const std::optional<HullResults>& hull = statics.has_pipe() ? statics.hull : statics.moorings->hull;
   if (hull) std::cout << hull_lines(*hull);
-  if (statics.has_pipe()) std::cout << fatigue_lines(r) << check_lines(r.checks);
+  if (statics.has_pipe()) std::cout << fatigue_lines(r);
+  std::cout << check_lines(r.checks);
   std::cout << fmt::format("  {:<28}{:>12.1e} of the energy exchanged\n", "energy drift", r.energy.drift());
   std::cout << fmt::format("  {:<28}{:>12.2f} s, {} steps, {:.0f} times real time\n", "time loop", r.run.wall_time,
                            r.run.steps, r.run.real_time_ratio);
-  std::cout << warning_lines(all_warnings(statics, r));
+  const Findings findings = all_findings(statics, r);
+  std::cout << verdict_line(r.checks, findings) << finding_lines(findings);
 }
 
 /// Where there is nothing left to run: says so and shows what it gave.
@@ -74,7 +76,7 @@ int tell_finished(const fs::path& folder, bool strict) {
                            folder.string(), stored.results.duration);
   print_results(stored.statics.results, stored.results);
   std::cout << "Results are in " << folder.string() << "\n";
-  return strict_code(stored.results.checks, strict);
+  return strict_code(stored.results.checks, all_findings(stored.statics.results, stored.results), strict);
 }
 
 /// One run straight into the folder.
@@ -83,7 +85,8 @@ int tell_single(const StudyEnd& end, const fs::path& folder, bool strict) {
   if (!end.single.end.results) return tell_finished(folder, strict);
   print_results(end.statics, *end.single.end.results);
   std::cout << "Results are in " << folder.string() << "\n";
-  return strict_code(end.single.end.results->checks, strict);
+  const DynamicResults& results = *end.single.end.results;
+  return strict_code(results.checks, all_findings(end.statics, results), strict);
 }
 
 StudyPlan plan_of(const Description& description, const DynamicArguments& arguments) {
@@ -107,8 +110,8 @@ std::string wanted_stage(const DynamicArguments& arguments, const std::vector<fs
 std::optional<RunEnd> take_stage(const std::string& wanted, Description& description) {
   if (wanted.empty()) {
     if (!is_lay_operation(description.operation.type)) return std::nullopt;
-    description.warnings.push_back(no_stage_warning(description));
-    std::cout << warning_lines({description.warnings.back()});
+    description.findings.push_back(no_stage_finding(description));
+    std::cout << finding_lines({description.findings.back()});
     return std::nullopt;
   }
   std::variant<Description, RunEnd> chosen = choose_stage(description, wanted);
@@ -148,7 +151,7 @@ int run_dynamic(const DynamicArguments& arguments) {
   } catch (const std::invalid_argument& fault) {
     return tell({RunEnding::wrong_input, fault.what()});
   }
-  std::cout << warning_lines(serious_warnings(model_warnings(build_model(*description)))) << std::flush;
+  std::cout << finding_lines(serious_findings(model_findings(build_model(*description)))) << std::flush;
   return run_plan(*description, plan, folder, arguments);
 }
 

@@ -6,7 +6,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/warning_lines.h"
+#include "app/finding_lines.h"
 #include "base/constants.h"
 #include "resultfiles/lay_table_writer.h"
 #include "runstore/staged_folder.h"
@@ -75,7 +75,7 @@ void print_table(const LayTable& table) {
   for (const LayTableRow& row : table.rows) print_row(table, row);
   std::cout << fmt::format("  overbend and sagbend: largest bending stress; {} equilibria in {:.2f} s\n", table.solves,
                            table.wall_time)
-            << warning_lines(table.warnings);
+            << finding_lines(table.findings);
 }
 
 }  // namespace

@@ -6,14 +6,14 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "app/check_lines.h"
 #include "app/exit_code.h"
+#include "app/finding_lines.h"
 #include "app/interruption.h"
 #include "app/progress.h"
-#include "app/warning_lines.h"
+#include "base/finding.h"
 #include "dynamics/dynamic_obstacle.h"
-#include "report/warning_weight.h"
 #include "resultfiles/lines_writer.h"
-#include "results/shared_warnings.h"
 #include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
 #include "study/case.h"
@@ -42,7 +42,8 @@ void print_line(const LineResult& line, bool moved) {
 void print(const LinesResults& results) {
   std::cout << results.title << "\n";
   for (const LineResult& line : results.lines) print_line(line, results.moved);
-  std::cout << warning_lines(results.warnings);
+  std::cout << check_lines(results.checks) << verdict_line(results.checks, results.findings)
+            << finding_lines(results.findings);
 }
 
 int told_folder(const fs::path& folder) {
@@ -86,12 +87,9 @@ int run_seeds(const Model& model, const std::vector<std::uint64_t>& seeds, const
     std::cout << fmt::format("  {:<36}{:>10.2f} to {:.2f} kN over {} seeds\n", gathered.quantities[i].name,
                              gathered.statistics[i].min / 1e3, gathered.statistics[i].max / 1e3, gathered.runs.size());
   }
-  std::vector<std::vector<std::string>> warnings;
-  for (const SeedRun& run : gathered.runs) warnings.push_back(run.warnings);
-  for (const SharedWarning& one : shared_warnings(warnings)) {
-    std::cout << fmt::format("  warning ({} of {} seeds): {}\n", one.runs, gathered.runs.size(),
-                             without_mark(one.text));
-  }
+  std::vector<Findings> findings;
+  for (const SeedRun& run : gathered.runs) findings.push_back(run.findings);
+  std::cout << shared_finding_lines(findings, "seeds");
   told_folder(folder);
   return gathered.failed.empty() ? kDone : kNoSolution;
 }

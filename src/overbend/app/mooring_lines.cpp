@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/warning_lines.h"
+#include "app/check_lines.h"
+#include "app/finding_lines.h"
 #include "base/constants.h"
 
 namespace overbend {
@@ -130,7 +131,7 @@ std::string moored_dynamics_lines(const DynamicResults& results) {
 
 std::string mooring_lines(const MooringResults& results) {
   return results.title + "\n" + moored_state_lines(results) + (results.hull ? hull_lines(*results.hull) : "") +
-         warning_lines(results.warnings);
+         check_lines(results.checks) + verdict_line(results.checks, results.findings) + finding_lines(results.findings);
 }
 
 }  // namespace overbend

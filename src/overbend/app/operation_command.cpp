@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <iostream>
-#include <set>
 
 #include "app/check_lines.h"
+#include "app/finding_lines.h"
 #include "app/stage_lines.h"
-#include "app/warning_lines.h"
+#include "results/findings.h"
 #include "results/worst_stage.h"
 #include "runstore/staged_folder.h"
 #include "study/lay_operation.h"
@@ -27,16 +27,9 @@ void print_summary(const OperationResults& results) {
   const std::size_t all = results.stages.size();
   std::cout << fmt::format("  {} of {} {} found in {:.2f} s\n", standing(results), all,
                            all == 1 ? "equilibrium" : "equilibria", results.wall_time);
-  std::vector<std::string> warnings = results.warnings;
-  std::set<std::string> told;  // what every stage has, such as a missing key, is said of the first
-  for (const StageResult& stage : results.stages) {
-    for (const std::string& warning : stage.warnings) warnings.push_back(stage.stage.name + ": " + warning);
-    if (!stage.lay) continue;
-    for (const std::string& warning : stage.lay->warnings) {
-      if (told.insert(warning).second) warnings.push_back(stage.stage.name + ": " + warning);
-    }
-  }
-  std::cout << warning_lines(warnings);
+  const Findings findings = operation_findings(results);
+  if (const StageResult* worst = worst_stage(results)) std::cout << verdict_line(worst->lay->checks, findings);
+  std::cout << finding_lines(findings);
 }
 
 }  // namespace
@@ -58,7 +51,7 @@ int run_static_operation(const Description& description, const std::filesystem::
   std::cout << "Results are in " << folder.string() << "\n";
   if (standing(results) == 0) return tell({RunEnding::no_solution, "no stage of the operation has an equilibrium"});
   const StageResult* worst = worst_stage(results);
-  return worst != nullptr ? strict_code(worst->lay->checks, strict) : kDone;
+  return worst != nullptr ? strict_code(worst->lay->checks, operation_findings(results), strict) : kDone;
 }
 
 }  // namespace overbend

@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "base/findings_page.h"
 #include "modelfile/json_schema.h"
 #include "modelfile/reference_page.h"
 #include "serve/type_style.h"
@@ -15,6 +16,9 @@ int run_schema(SchemaForm form) {
       break;
     case SchemaForm::reference:
       std::cout << reference_page();
+      break;
+    case SchemaForm::findings:
+      std::cout << findings_page();
       break;
     case SchemaForm::types:
       std::cout << page_types();

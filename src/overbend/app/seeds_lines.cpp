@@ -6,10 +6,9 @@
 #include <iostream>
 
 #include "app/check_lines.h"
-#include "app/warning_lines.h"
-#include "report/warning_weight.h"
+#include "app/finding_lines.h"
+#include "base/finding.h"
 #include "resultfiles/seeds_writer.h"
-#include "results/shared_warnings.h"
 
 namespace overbend {
 namespace {
@@ -24,12 +23,17 @@ void print(const SeedsResults& results) {
     std::cout << fmt::format("  {:<28}{:>12.4g}{:>12.3g}{:>12.4g}{:>12.4g} {}\n", quantity.name, s.mean * unit.factor,
                              s.std * unit.factor, s.min * unit.factor, s.max * unit.factor, unit.name);
   }
-  std::vector<std::vector<std::string>> warnings;
-  for (const SeedRun& run : results.runs) warnings.push_back(run.warnings);
-  for (const SharedWarning& one : shared_warnings(warnings)) {
-    std::cout << fmt::format("  warning ({} of {} seeds): {}\n", one.runs, results.runs.size(), without_mark(one.text));
-  }
-  std::cout << warning_lines(results.warnings);
+  std::vector<Findings> findings;
+  for (const SeedRun& run : results.runs) findings.push_back(run.findings);
+  std::cout << shared_finding_lines(findings, "seeds");
+  std::cout << finding_lines(results.findings);
+}
+
+/// Of all seeds and of the study as a whole.
+Findings all_findings(const SeedsResults& results) {
+  Findings all = results.findings;
+  for (const SeedRun& run : results.runs) all = merge(std::move(all), run.findings);
+  return all;
 }
 
 }  // namespace
@@ -45,7 +49,7 @@ ExitCode tell_seeds(const StudyEnd& end, const std::filesystem::path& folder, bo
     print(*end.seeds);
     std::cout << "Results are in " << folder.string() << "\n";
   }
-  return end.ending == RunEnding::done ? strict_code(end.worst, strict) : tell(end);
+  return end.ending == RunEnding::done ? strict_code(end.worst, all_findings(*end.seeds), strict) : tell(end);
 }
 
 }  // namespace overbend

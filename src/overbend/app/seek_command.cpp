@@ -3,8 +3,8 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/finding_lines.h"
 #include "app/seek_lines.h"
-#include "app/warning_lines.h"
 #include "modelfile/seek_reader.h"
 #include "runstore/staged_folder.h"
 #include "study/seek_run.h"
@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 ExitCode tell_run(const SeekRun& run, const Description& description, const fs::path& folder) {
   write_seek_run(run, description, folder);
   std::cout << description.title << "\n" << seek_lines(run.results);
-  if (run.results.found && run.statics.lay) std::cout << warning_lines(run.statics.lay->warnings);
-  if (run.results.found && run.statics.moorings) std::cout << warning_lines(run.statics.moorings->warnings);
+  if (run.results.found && run.statics.lay) std::cout << finding_lines(run.statics.lay->findings);
+  if (run.results.found && run.statics.moorings) std::cout << finding_lines(run.statics.moorings->findings);
   std::cout << "Results are in " << folder.string() << "\n";
   return run.results.found ? kDone : tell({RunEnding::no_solution, run.results.why});
 }

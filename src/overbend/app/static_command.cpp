@@ -5,21 +5,21 @@
 #include "app/check_lines.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/finding_lines.h"
 #include "app/friction_lines.h"
 #include "app/lines_command.h"
 #include "app/mooring_lines.h"
 #include "app/operation_command.h"
 #include "app/sensitivity_lines.h"
 #include "app/stinger_lines.h"
-#include "app/warning_lines.h"
 #include "base/constants.h"
+#include "base/finding.h"
 #include "report/places.h"
-#include "report/warning_weight.h"
 #include "runstore/staged_folder.h"
 #include "statics/moored_lay.h"
 #include "statics/moored_statics.h"
 #include "statics/statics.h"
-#include "study/input_warnings.h"
+#include "study/input_findings.h"
 #include "study/lines_run.h"
 #include "study/mooring_run.h"
 #include "study/prepared_case.h"
@@ -86,7 +86,7 @@ void print_results(const StaticResults& r) {
   line("balance of forces",
        fmt::format("{:>12.1e} of the weight at a node, {:.1e} as a whole", r.force_residual, r.global_residual));
   line("solver", fmt::format("{:>12.3f} s, {} iterations, {}", r.solve.wall_time, r.solve.iterations, r.solve.method));
-  std::cout << warning_lines(r.warnings);
+  std::cout << verdict_line(r.checks, r.findings) << finding_lines(r.findings);
 }
 
 fs::path default_folder(const std::string& model_file) {
@@ -96,9 +96,11 @@ fs::path default_folder(const std::string& model_file) {
 /// A failure with what the numbers of the model are warned of: the culprit is often among it.
 int tell_failure(const StaticFailure& failure, const Model& model) {
   const int code = tell(failed_end(failure, model.description));
-  for (const WeighedWarning& warning : weighed(input_warnings(model))) {
-    if (warning.weight != WarningWeight::caution) std::cerr << "  warning: " << warning.text << "\n";
-  }
+  Findings findings = input_findings(model);
+  std::erase_if(findings, [](const Finding& finding) {
+    return finding.severity() != FindingSeverity::serious && finding.code != FindingCode::unusual_input;
+  });
+  std::cerr << finding_lines(findings);
   return code;
 }
 
@@ -142,7 +144,7 @@ int run_static(const StaticArguments& arguments) {
   std::optional<SensitivityResults> sensitivities;
   if (arguments.sensitivities) {
     sensitivities = find_sensitivities(model, *outcome.solution);
-    if (!sensitivities) results.warnings.emplace_back(kNoSensitivities);
+    if (!sensitivities) results.findings.push_back({FindingCode::sensitivities_missing, kNoSensitivities});
   }
   try {
     write_static_run(results, *description, folder, sensitivities ? &*sensitivities : nullptr);
@@ -152,7 +154,7 @@ int run_static(const StaticArguments& arguments) {
   print_results(results);
   if (sensitivities) std::cout << sensitivity_lines(*sensitivities);
   std::cout << "Results are in " << folder.string() << "\n";
-  return strict_code(results.checks, arguments.strict);
+  return strict_code(results.checks, results.findings, arguments.strict);
 }
 
 }  // namespace overbend

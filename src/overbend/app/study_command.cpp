@@ -12,15 +12,15 @@
 #include <thread>
 
 #include "app/exit_code.h"
+#include "app/finding_lines.h"
 #include "app/interruption.h"
 #include "app/operability_lines.h"
 #include "app/slurm_study.h"
 #include "app/study_lines.h"
-#include "app/warning_lines.h"
 #include "modelfile/study_reader.h"
 #include "runstore/staged_folder.h"
 #include "study/operability_folder.h"
-#include "study/study_remarks.h"
+#include "study/study_findings.h"
 #include "study/whole_study.h"
 
 namespace overbend {
@@ -50,7 +50,7 @@ int code_of(const StudyResults& results, bool strict) {
   std::size_t done = 0, passed = 0;
   for (const StudyCase& one : results.cases) {
     done += one.state == StudyCaseState::done ? 1 : 0;
-    passed += one.state == StudyCaseState::done && one.passed ? 1 : 0;
+    passed += one.state == StudyCaseState::done && one.passed() ? 1 : 0;
   }
   if (done == 0 && !results.cases.empty()) {
     std::cerr << "overbend: no case of the study has a solution\n";
@@ -100,7 +100,7 @@ int run_alone(const CaseBase& base, const StudyCases& cases, const fs::path& fol
     std::cerr << "overbend: interrupted; the same command continues the case\n";
     return kInterrupted;
   }
-  std::cout << case_lines(one, cases.inputs(), study_outputs(base)) << warning_lines(one.warnings);
+  std::cout << case_lines(one, cases.inputs(), study_outputs(base)) << finding_lines(one.findings);
   if (one.state == StudyCaseState::failed) return tell({RunEnding::no_solution, one.reason});
   std::cout << "Results are in " << (folder / one.folder).string() << "\n";
   return kDone;
@@ -160,7 +160,7 @@ int run_study_command(const StudyArguments& arguments) {
   const CaseBase base(std::move(*reading.base), std::move(*reading.study));
   const StudyCases cases(base.study());
   if (arguments.watch) return watch_study(base, folder);
-  std::cout << study_head(base, cases) << warning_lines(study_remarks(base, cases)) << std::flush;
+  std::cout << study_head(base, cases) << finding_lines(study_findings(base, cases)) << std::flush;
   try {
     if (!arguments.on.empty() || arguments.resubmit) {
       return submit_study(base, arguments.study_file, folder, {arguments.slurm, arguments.resubmit});

@@ -8,11 +8,12 @@
 #include <iostream>
 #include <limits>
 
+#include "app/finding_lines.h"
 #include "app/interruption.h"
 #include "app/operability_lines.h"
-#include "app/warning_lines.h"
 #include "model/study_words.h"
 #include "resultfiles/study_writer.h"
+#include "results/fields/words.h"
 
 namespace overbend {
 namespace {
@@ -72,6 +73,18 @@ std::string duration_text(double seconds) {
                             : fmt::format("{:.1f} days", seconds / 86400.0);
 }
 
+/// "2 passed, 1 reserved, 1 exceeded"
+std::string verdict_counts(const StudyResults& results) {
+  std::string text;
+  for (const auto& [kind, name] : Words<VerdictKind>::list) {
+    const auto number = std::ranges::count_if(results.cases, [kind = kind](const StudyCase& one) {
+      return one.state == StudyCaseState::done && one.verdict == kind;
+    });
+    if (number > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, name);
+  }
+  return text.empty() ? "none" : text;
+}
+
 }  // namespace
 
 std::string study_head(const CaseBase& base, const StudyCases& cases) {
@@ -117,16 +130,13 @@ std::string case_lines(const StudyCase& one, const std::vector<StudyInput>& inpu
 }
 
 std::string study_lines(const StudyResults& results, const std::string& study_file, const std::string& folder) {
-  std::size_t done = 0, passed = 0, open = 0;
+  std::size_t done = 0, open = 0;
   for (const StudyCase& one : results.cases) {
     done += one.state == StudyCaseState::done ? 1 : 0;
     open += one.state == StudyCaseState::open ? 1 : 0;
-    passed += one.state == StudyCaseState::done && one.passed ? 1 : 0;
   }
-  const std::string judged = without_checks(results) && passed == done
-                                 ? "no code check is made of this model"
-                                 : fmt::format("{} of them {} the checks", passed, passed == 1 ? "passes" : "pass");
-  std::string text = fmt::format("  {} of {} solved, {}\n", done, plural(results.cases.size(), "case"), judged);
+  std::string text =
+      fmt::format("  {} of {} solved: {}\n", done, plural(results.cases.size(), "case"), verdict_counts(results));
   if (open > 0) text += fmt::format("  {} not run yet\n", open);
   for (std::size_t i = 0; i < results.outputs.size(); ++i) {
     if (!results.outputs[i].text) text += range_line(results, i);
@@ -134,7 +144,7 @@ std::string study_lines(const StudyResults& results, const std::string& study_fi
   if (const std::size_t failed = results.cases.size() - done - open; failed > 0) {
     text += fmt::format("  {} failed:\n", plural(failed, "case")) + failed_lines(results, study_file, folder);
   }
-  return text + warning_lines(results.warnings) + "Results are in " + folder + "\n";
+  return text + finding_lines(results.findings) + "Results are in " + folder + "\n";
 }
 
 std::string tally_line(const StudyTally& tally) {

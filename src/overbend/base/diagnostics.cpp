@@ -1,6 +1,7 @@
 #include "base/diagnostics.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "base/utf8.h"
 
@@ -9,7 +10,6 @@ namespace overbend {
 std::string render(const Diagnostic& diagnostic) {
   std::string text = diagnostic.file;
   if (diagnostic.line > 0) text += ":" + std::to_string(diagnostic.line);
-  if (diagnostic.severity == Severity::warning) text += ": warning";
   if (!diagnostic.key.empty()) text += ": " + diagnostic.key;
   text += diagnostic.expected.empty() ? ": " + diagnostic.found
                                       : ": found " + diagnostic.found + ", expected " + diagnostic.expected;
@@ -41,6 +41,16 @@ std::vector<std::string> Diagnostics::lines(Severity severity) const {
     if (diagnostic.severity == severity) lines.push_back(render(diagnostic));
   }
   return lines;
+}
+
+Findings Diagnostics::findings() const {
+  Findings findings;
+  for (Diagnostic diagnostic : sorted()) {
+    if (diagnostic.severity != Severity::warning) continue;
+    diagnostic.file = std::filesystem::path(diagnostic.file).filename().string();  // a report is sent on
+    findings.push_back(Finding{diagnostic.code, render(diagnostic)}.on(diagnostic.key));
+  }
+  return findings;
 }
 
 }  // namespace overbend

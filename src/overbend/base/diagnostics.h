@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
+
 namespace overbend {
 
 enum class Severity { error, warning };
@@ -13,10 +15,11 @@ struct Diagnostic {
   Severity severity = Severity::error;
   std::string file;
   int line = 0, column = 0;
-  std::string key;       ///< Full path of the key, "pipe.steel.wall_thickness"; may be empty.
-  std::string found;     ///< What was found.
-  std::string expected;  ///< What should; empty for a plain remark.
-  std::string hint;      ///< How to correct it; may be empty.
+  std::string key;                                ///< Full path of the key, "pipe.steel.wall_thickness"; may be empty.
+  std::string found;                              ///< What was found.
+  std::string expected;                           ///< What should; empty for a plain remark.
+  std::string hint;                               ///< How to correct it; may be empty.
+  FindingCode code = FindingCode::unusual_input;  ///< Of a warning.
 };
 
 /// `model.yaml:12: pipe.steel.wall_thickness: found '250 mm', expected less than 203.2 mm; hint`
@@ -33,6 +36,8 @@ class Diagnostics {
   std::vector<Diagnostic> sorted() const;
   /// All that were kept of one severity, one a line.
   std::vector<std::string> lines(Severity severity) const;
+  /// The warnings: "model.yaml:12: KEY: remark", of files without their folders; their object is the key.
+  Findings findings() const;
 
  private:
   std::vector<Diagnostic> list_;

@@ -1,7 +1,10 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "checks/check_row.h"
 #include "checks/check_rows.h"
+#include "checks/mooring_rows.h"
 #include "model/lay_route.h"
 #include "model/lay_stage.h"
 
@@ -142,8 +145,8 @@ CableLoad cable_load(const Model& model, const StaticResults& statics, const Dyn
 
 void add_cable(std::vector<CheckRow>& rows, const Model& model, const StaticResults& statics,
                const DynamicResults* dynamics) {
-  static constexpr CheckTitle kTitle = {"cable_load", "Tension of the cable", "breaking load",
-                                        "",           "effective tension",    "N"};
+  static constexpr CheckTitle kTitle = {
+      "cable_load", "Cable, breaking load over safety factor", "safety factor", "", "effective tension", "N"};
   const CheckRow row = row_of(kTitle, CheckRegion::line);
   const std::optional<double> breaking_load = model.description.operation.lay.cable->breaking_load;
   if (!breaking_load) {
@@ -155,7 +158,13 @@ void add_cable(std::vector<CheckRow>& rows, const Model& model, const StaticResu
   rows.back().s = load.s;
   rows.back().from_top = statics.stations.back().s - load.s;
   rows.back().p_W = load.p_W;
-  judge_ratio(rows.back(), load.tension, *breaking_load);
+  const SafetyFactor factor = cable_safety_factor(model.description.checks.safety_factors);
+  judge_ratio(rows.back(), load.tension, *breaking_load / factor.value);
+  rows.back().remark = fmt::format("breaking load of {:.1f} kN over a safety factor of {:.3g} ({})",
+                                   1e-3 * *breaking_load, factor.value, factor.source);
+  rows.back().inputs = {{"T", "effective tension", load.tension, "N"},
+                        {"MBL", "breaking load", *breaking_load, "N"},
+                        {"n", "safety factor", factor.value, "1"}};
 }
 
 /// A bend of the route behind touchdown: the radius that friction holds with a margin, over its own.

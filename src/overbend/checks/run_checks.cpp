@@ -7,6 +7,7 @@
 #include "base/constants.h"
 #include "checks/check_assumptions.h"
 #include "checks/check_rows.h"
+#include "checks/mooring_rows.h"
 
 namespace overbend {
 namespace {
@@ -74,6 +75,7 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
   table.rows = rows_of_pipe(all, settings);
   const auto pipe_rows = static_cast<std::ptrdiff_t>(table.rows.size());
   append(table.rows, equipment_rows(model, statics, dynamics));
+  if (statics.moorings) append(table.rows, mooring_rows(model.description, *statics.moorings, dynamics));
   if (dynamics != nullptr && dynamics->duration < kThreeHours) {
     for (auto row = table.rows.begin(); row != table.rows.end(); ++row) {
       if (row->in_time || row - table.rows.begin() >= pipe_rows) say_duration(*row, dynamics->duration);
@@ -85,7 +87,7 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
   return table;
 }
 
-/// The table's assumptions are the last of the results'.
+/// The table's assumptions are the last of the results'; checks that are not judged are findings.
 template <class Results>
 void put(CheckTable table, Results& results) {
   const std::vector<std::string>& before = results.checks.assumptions;
@@ -94,6 +96,8 @@ void put(CheckTable table, Results& results) {
     all.resize(all.size() - before.size());
   }
   all.insert(all.end(), table.assumptions.begin(), table.assumptions.end());
+  std::erase_if(results.findings, [](const Finding& finding) { return finding.code == FindingCode::check_not_judged; });
+  overbend::append(results.findings, unjudged_checks(table));
   results.checks = std::move(table);
 }
 
@@ -104,6 +108,14 @@ CheckTable check_statics(const Model& model, const StaticResults& statics) {
 }
 
 CheckTable check_dynamics(const Model& model, const StaticResults& statics, const DynamicResults& dynamics) {
+  if (!statics.has_pipe()) {
+    CheckTable table;
+    table.rows = mooring_rows(model.description, *statics.moorings, &dynamics);
+    if (dynamics.duration < kThreeHours) {
+      for (CheckRow& row : table.rows) say_duration(row, dynamics.duration);
+    }
+    return table;
+  }
   return table_of(model, statics, &dynamics, dynamic_stations(model, statics, dynamics));
 }
 
@@ -113,6 +125,18 @@ void fill_checks(const Model& model, StaticResults& statics) {
 
 void fill_checks(const Model& model, const StaticResults& statics, DynamicResults& dynamics) {
   put(check_dynamics(model, statics, dynamics), dynamics);
+}
+
+void fill_checks(const Model& model, MooringResults& results) {
+  CheckTable table;
+  table.rows = mooring_rows(model.description, results, nullptr);
+  put(std::move(table), results);
+}
+
+void fill_checks(const Model& model, LinesResults& results) {
+  CheckTable table;
+  table.rows = line_rows(model.description, results);
+  put(std::move(table), results);
 }
 
 }  // namespace overbend

@@ -3,6 +3,7 @@
 
 #include "model/model.h"
 #include "results/dynamic_results.h"
+#include "results/line_results.h"
 #include "results/static_results.h"
 
 namespace overbend {
@@ -16,5 +17,8 @@ CheckTable check_dynamics(const Model& model, const StaticResults& statics, cons
 /// Puts the table into the results, and what it assumes among their assumptions, in place of an earlier table.
 void fill_checks(const Model& model, StaticResults& statics);
 void fill_checks(const Model& model, const StaticResults& statics, DynamicResults& dynamics);
+/// Of a hull and its mooring lines without a pipe; of lines by themselves.
+void fill_checks(const Model& model, MooringResults& results);
+void fill_checks(const Model& model, LinesResults& results);
 
 }  // namespace overbend

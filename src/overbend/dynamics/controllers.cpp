@@ -272,25 +272,31 @@ std::vector<std::string> Controllers::assumptions() const {
   return list;
 }
 
-std::vector<std::string> Controllers::warnings(const System& system) const {
-  std::vector<std::string> list;
+Findings Controllers::findings(const System& system) const {
+  Findings list;
   for (const CommandedMachine& machine : machines_) {
     const TensionerLaw& law = machine_law(system, machine);
     if (machine.fastest_asked > law.velocity * (1.0 + 1e-9)) {
-      list.push_back(fmt::format("{} was asked for up to {:.3g} m/s: it goes at {:.3g} m/s at most", machine.words,
-                                 machine.fastest_asked, law.velocity));
+      list.push_back(Finding{FindingCode::controller_limited,
+                             fmt::format("{} was asked for up to {:.3g} m/s: it goes at {:.3g} m/s at most",
+                                         machine.words, machine.fastest_asked, law.velocity)}
+                         .on(machine.words));
     }
     if (machine.stopped_at && system.attachments[machine.attachment].winch) {
-      list.push_back(fmt::format("{} came to the end of its range, {:.2f} m either way, {}", machine.words, law.limit,
-                                 at_time(*machine.stopped_at)));
+      list.push_back(Finding{FindingCode::controller_limited,
+                             fmt::format("{} came to the end of its range, {:.2f} m either way, {}", machine.words,
+                                         law.limit, at_time(*machine.stopped_at))}
+                         .on(machine.words)
+                         .at_time(*machine.stopped_at));
     }
   }
   for (const CommandedMachine& machine : machines_) {
     if (!machine.forgot_at) continue;
-    list.push_back(
-        fmt::format("the run was taken up {} with a controller of {} that remembers nothing of before: it "
-                    "goes on as it would have only where it needs no memory",
-                    at_time(*machine.forgot_at), machine.words));
+    list.push_back(Finding{FindingCode::controller_limited,
+                           fmt::format("the run was taken up {} with a controller of {} that remembers nothing of "
+                                       "before: it goes on as it would have only where it needs no memory",
+                                       at_time(*machine.forgot_at), machine.words)}
+                       .on(machine.words));
   }
   return list;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/finding.h"
 #include "dynamics/controller.h"
 #include "model/model.h"
 #include "results/dynamic_sink.h"
@@ -58,7 +59,7 @@ class Controllers {
 
   /// What a reader of the results has to know of the controllers.
   std::vector<std::string> assumptions() const;
-  std::vector<std::string> warnings(const System& system) const;
+  Findings findings(const System& system) const;
 
   void save(const System& system, DynamicCheckpoint& checkpoint) const;
   /// Throws std::runtime_error where the checkpoint is of other controllers.

@@ -41,9 +41,12 @@ void tell_table(const CoefficientTable& table, const char* flow, HullReport& out
     across += row.cy * std::sin(row.angle);
   }
   if (along < 0.0 || across < 0.0) {
-    out.warnings.push_back("by the " + std::string(along < 0.0 ? "cx" : "cy") + " of its table the " + flow +
-                           " pushes the hull against its own direction: cx is forward and cy to port, whatever the "
-                           "angles are counted from");
+    out.findings.push_back(
+        Finding{FindingCode::force_table_sign,
+                "by the " + std::string(along < 0.0 ? "cx" : "cy") + " of its table the " + flow +
+                    " pushes the hull against its own direction: cx is forward and cy to port, whatever the "
+                    "angles are counted from"}
+            .on(flow));
   }
 }
 
@@ -65,17 +68,24 @@ void tell_waves(const Hull& hull, const CoupledHullDescription& given, const Wav
   out.above_table = hull.waves.above_table;
   const double outside = out.below_table + out.above_table;
   if (outside > kNoticeable) {
-    out.warnings.push_back(percent(outside) + " of the sea's variance lies beyond the frequencies of the wave forces");
+    out.findings.push_back(
+        Finding{FindingCode::sea_outside_wave_forces,
+                percent(outside) + " of the sea's variance lies beyond the frequencies of the wave forces"}
+            .with("fraction", outside, "1"));
   }
   if (hull.waves.above_drift > out.above_table + kNoticeable) {
-    out.warnings.push_back(percent(hull.waves.above_drift) +
-                           " of the sea's variance lies above the frequencies of the mean drift, which end below those "
-                           "of the wave forces: no drift of these waves acts");
+    out.findings.push_back(
+        Finding{FindingCode::sea_above_drift,
+                percent(hull.waves.above_drift) +
+                    " of the sea's variance lies above the frequencies of the mean drift, which end below those "
+                    "of the wave forces: no drift of these waves acts"}
+            .with("fraction", hull.waves.above_drift, "1"));
   }
   if (!sea.calm() && given.wave_drift != WaveDrift::none && hull.waves.drift == WaveDrift::none) {
-    out.warnings.emplace_back(
-        "the hydrodynamic files have no drift coefficients: no mean and no slow drift of the waves acts, whatever "
-        "vessel.motion.coupled.wave_drift says");
+    out.findings.push_back(
+        {FindingCode::no_drift_coefficients,
+         "the hydrodynamic files have no drift coefficients: no mean and no slow drift of the waves acts, whatever "
+         "vessel.motion.coupled.wave_drift says"});
   }
   if (sea.calm() || hull.waves.drift != WaveDrift::newman) return;
   out.assumptions.push_back(
@@ -85,8 +95,9 @@ void tell_waves(const Hull& hull, const CoupledHullDescription& given, const Wav
   if (shallowness < 1.0) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2f", shallowness);
-    out.warnings.push_back("the water is shallow for these waves, with a k_p d of " + std::string(text) +
-                           ": Newman's approximation of the slow drift is too low");
+    out.findings.push_back({FindingCode::newman_in_shallow_water,
+                            "the water is shallow for these waves, with a k_p d of " + std::string(text) +
+                                ": Newman's approximation of the slow drift is too low"});
   }
 }
 
@@ -95,25 +106,29 @@ void tell_waves(const Hull& hull, const CoupledHullDescription& given, const Wav
 HullReport hull_report(const MadeHull& made, const Model& model, const Sea& sea, const Mat6& station_stiffness) {
   HullReport out;
   out.radiation = made.radiation;
-  out.warnings = made.warnings;
+  out.findings = made.findings;
   const std::optional<CoupledHullDescription>& given = model.description.vessel.coupled;
   if (!given || !given->data) return out;
-  for (std::string& warning : misfit_warnings(radiation_misfits(made.hull.radiation, *given->data, sea))) {
-    out.warnings.push_back(std::move(warning));
-  }
+  append(out.findings, misfit_findings(radiation_misfits(made.hull.radiation, *given->data, sea)));
   out.damping = horizontal_damping(made.hull, *given->data, station_stiffness);
   for (const ModeDamping& mode : out.damping) {
     if (mode.loop && mode.loop->damping < 0.0) {
       char period[32];
       std::snprintf(period, sizeof period, "%.0f", mode.loop->period);
-      out.warnings.push_back("dynamic positioning makes the slow " + mode.mode +
-                             " swing up by itself, with a period of " + std::string(period) + " s and " +
-                             percent(mode.loop->damping) +
-                             " of critical damping: the filter of the slow motion lags; a shorter "
-                             "vessel.motion.coupled.slow_period or a softer spring helps, more damping may not");
+      out.findings.push_back(
+          Finding{FindingCode::positioning_unstable,
+                  "dynamic positioning makes the slow " + mode.mode + " swing up by itself, with a period of " +
+                      std::string(period) + " s and " + percent(mode.loop->damping) +
+                      " of critical damping: the filter of the slow motion lags; a shorter "
+                      "vessel.motion.coupled.slow_period or a softer spring helps, more damping may not"}
+              .on(mode.mode)
+              .with("damping", mode.loop->damping, "1"));
     } else if (mode.critical > 0.0 && mode.total() < 0.0) {
-      out.warnings.push_back("the slow " + mode.mode + " is fed rather than damped: " + percent(mode.total()) +
-                             " of critical damping");
+      out.findings.push_back(Finding{
+          FindingCode::slow_motion_undamped,
+          "the slow " + mode.mode + " is fed rather than damped: " + percent(mode.total()) + " of critical damping"}
+                                 .on(mode.mode)
+                                 .with("damping", mode.total(), "1"));
     }
   }
   tell_current(made.hull, ufc_hull(model, *given), model.description.environment.water_depth, out);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "hull/damping_ratios.h"
 #include "hull/make_hull.h"
 
@@ -18,8 +19,9 @@ struct HullReport {
   /// Sideways current force now, and for coefficients from that of UFC 4-159-03 for the barge's shape and depth of
   /// water to 1.2 (sharp edges in two dimensions) [N]; zero where the current is by a table or there is none.
   double current_now = 0.0, current_least = 0.0, current_most = 0.0;
-  SteadyForces steady;                             ///< With the hull as drawn, the mean drift included.
-  std::vector<std::string> assumptions, warnings;  ///< Plain sentences.
+  SteadyForces steady;  ///< With the hull as drawn, the mean drift included.
+  std::vector<std::string> assumptions;
+  Findings findings;  ///< Plain sentences.
 };
 
 /// `station_stiffness`: of the moorings about the reference point, horizontal axes along the drawn hull; `model` the

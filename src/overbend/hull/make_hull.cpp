@@ -161,7 +161,7 @@ void floats_in_waves(MadeHull& made, const Model& model, const Sea& sea, const C
   Radiated radiated = make_radiation(*given.data, given.radiation);
   hull.radiation = std::move(radiated.model);
   made.radiation = std::move(radiated.report);
-  made.warnings = made.radiation.warnings;
+  made.findings = made.radiation.findings;
   hull.slow_period = given.slow_period;
   put_damping(hull, given, station_stiffness);
 }

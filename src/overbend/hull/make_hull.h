@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "hull/hull.h"
 #include "hull/make_radiation.h"
 #include "model/model.h"
@@ -12,8 +13,8 @@ namespace overbend {
 
 struct MadeHull {
   Hull hull;
-  RadiationReport radiation;          ///< Quality of the memory; empty without hydrodynamic data.
-  std::vector<std::string> warnings;  ///< Plain sentences.
+  RadiationReport radiation;  ///< Quality of the memory; empty without hydrodynamic data.
+  Findings findings;          ///< Plain sentences.
 };
 
 /// The box of the vessel's dimensions with the water that the hull's mass displaces.

@@ -61,9 +61,10 @@ void fit_all(const RadiationSource& source, Radiated& radiated) {
   radiated.model.kind = Radiation::state_space;
   for (std::size_t g = 0; g < radiated.model.groups.size(); ++g) {
     if (!add_group(source, static_cast<int>(g), radiated.model, radiated.report.groups[g])) {
-      radiated.report.warnings.push_back("the radiation memory of " + names_of(radiated.model.groups[g]) +
-                                         " is not represented within 1 % by exponentials of order 20; direct "
-                                         "convolution is used instead");
+      radiated.report.findings.push_back({FindingCode::radiation_by_convolution,
+                                          "the radiation memory of " + names_of(radiated.model.groups[g]) +
+                                              " is not represented within 1 % by exponentials of order 20; direct "
+                                              "convolution is used instead"});
       use_convolution(source, radiated.model);
       for (RadiationGroupReport& group : radiated.report.groups) {
         group = {group.modes};
@@ -107,16 +108,24 @@ void report_entries(const RadiationSource& source, Radiated& radiated) {
 
 void warn_of_file(double largest_negative, RadiationReport& report) {
   if (largest_negative > kWarnNegative) {
-    report.warnings.push_back("the hydrodynamic file holds negative radiation damping, up to " +
-                              format_number(100.0 * largest_negative, 2) + " % of the largest; it is taken as zero");
+    report.findings.push_back(Finding{FindingCode::negative_radiation_damping,
+                                      "the hydrodynamic file holds negative radiation damping, up to " +
+                                          format_number(100.0 * largest_negative, 2) +
+                                          " % of the largest; it is taken as zero"}
+                                  .on("vessel")
+                                  .with("fraction", largest_negative, "1"));
   }
   for (const RadiationEntryReport& entry : report.entries) {
     const double change = entry.added_mass_used / entry.added_mass_file - 1.0;
     if (entry.i == entry.j && std::abs(change) > kWarnAddedMass) {
-      report.warnings.push_back("added mass of " + std::string(kModeNames[entry.i]) +
-                                " at infinite frequency differs by " + format_number(100.0 * change, 2) +
-                                " % from what the damping of the hydrodynamic file demands (Ogilvie's relation); " +
-                                "frequencies may not reach far enough");
+      report.findings.push_back(
+          Finding{FindingCode::added_mass_mismatch,
+                  "added mass of " + std::string(kModeNames[entry.i]) + " at infinite frequency differs by " +
+                      format_number(100.0 * change, 2) +
+                      " % from what the damping of the hydrodynamic file demands (Ogilvie's relation); " +
+                      "frequencies may not reach far enough"}
+              .on("added mass of " + std::string(kModeNames[entry.i]))
+              .with("difference", change, "1"));
     }
   }
 }

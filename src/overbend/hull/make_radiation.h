@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "hull/radiation.h"
 
 namespace overbend {
@@ -29,8 +30,8 @@ struct RadiationGroupReport {
 struct RadiationReport {
   std::vector<RadiationEntryReport> entries;
   std::vector<RadiationGroupReport> groups;
-  int states = 0;                     ///< Real numbers of memory.
-  std::vector<std::string> warnings;  ///< Plain sentences.
+  int states = 0;     ///< Real numbers of memory.
+  Findings findings;  ///< Plain sentences.
 };
 
 struct Radiated {

@@ -64,19 +64,23 @@ std::vector<RadiationMisfit> radiation_misfits(const RadiationModel& model, cons
   return misfits;
 }
 
-std::vector<std::string> misfit_warnings(const std::vector<RadiationMisfit>& misfits) {
-  std::vector<std::string> warnings;
+Findings misfit_findings(const std::vector<RadiationMisfit>& misfits) {
+  Findings findings;
   for (const RadiationMisfit& found : misfits) {
     if (found.added_mass <= kTolerated && found.damping <= kTolerated) continue;
-    warnings.push_back(
-        "the radiation in time does not represent the hydrodynamic file in " +
-        std::string(kFreedomNames[static_cast<std::size_t>(found.mode)]) + ": its added mass is missed by " +
-        format_number(100.0 * found.added_mass, 3) + " % and its damping by " +
-        format_number(100.0 * found.damping, 3) +
-        " % of the largest value in the waves; are its frequencies and units right, and do they reach far "
-        "enough?");
+    findings.push_back(
+        Finding{FindingCode::radiation_misfit,
+                "the radiation in time does not represent the hydrodynamic file in " +
+                    std::string(kFreedomNames[static_cast<std::size_t>(found.mode)]) +
+                    ": its added mass is missed by " + format_number(100.0 * found.added_mass, 3) +
+                    " % and its damping by " + format_number(100.0 * found.damping, 3) +
+                    " % of the largest value in the waves; are its frequencies and units right, and do they reach far "
+                    "enough?"}
+            .on(std::string(kFreedomNames[static_cast<std::size_t>(found.mode)]))
+            .with("added_mass_error", found.added_mass, "1")
+            .with("damping_error", found.damping, "1"));
   }
-  return warnings;
+  return findings;
 }
 
 }  // namespace overbend

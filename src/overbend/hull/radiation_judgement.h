@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "hull/radiation.h"
 #include "mechanics/sea.h"
 #include "model/hydrodynamic_data.h"
@@ -21,6 +22,6 @@ std::vector<RadiationMisfit> radiation_misfits(const RadiationModel& model, cons
                                                const Sea& sea);
 
 /// A sentence for each mode whose misfit is beyond 5 %.
-std::vector<std::string> misfit_warnings(const std::vector<RadiationMisfit>& misfits);
+Findings misfit_findings(const std::vector<RadiationMisfit>& misfits);
 
 }  // namespace overbend

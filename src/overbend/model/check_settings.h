@@ -41,6 +41,15 @@ struct EquipmentLimits {
   std::optional<double> tip_clearance;      ///< Least distance of the pipe from the stinger's last roller [m].
 };
 
+/// Required strength over load of lines, anchors and cables; by code and analysis where not given, see
+/// checks/mooring_rows.h [-].
+struct SafetyFactors {
+  std::optional<double> mooring_intact, mooring_damaged;
+  std::optional<double> anchor_intact, anchor_damaged;
+  std::optional<double> cable;  ///< Wire of abandonment and recovery, start-up wire.
+  std::optional<double> line;   ///< Lines by themselves, hawsers.
+};
+
 struct CheckSettings {
   CheckCodes codes = CheckCodes::both;
   SafetyClass safety_class = SafetyClass::low;
@@ -56,10 +65,12 @@ struct CheckSettings {
   CurrentLoad current_load = CurrentLoad::environmental;  ///< Classification of the steady current's load effects.
   std::string grade;                                      ///< Row of the laying criteria; empty: from SMYS.
   bool point_load = false;                                ///< Roller force reduces the plastic moment.
+  std::vector<std::string> accepted_findings;  ///< Names of serious findings that do not reserve the verdict.
   std::optional<ArrestorSettings> arrestor;
   ApiSettings api;
   YieldShares yield_share;
   EquipmentLimits limits;
+  SafetyFactors safety_factors;
 };
 
 }  // namespace overbend

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "base/vec.h"
 #include "model/check_settings.h"
 #include "model/fatigue_description.h"
@@ -304,7 +305,7 @@ struct Description {
   std::optional<LayTableDescription> lay_table;
   /// The stage of an operation on the line that this is, see model/lay_stage.h; none: the line as laid.
   std::optional<LayStageDescription> stage;
-  std::vector<std::string> warnings;  ///< Unusual input that was accepted.
+  Findings findings;  ///< Unusual input that was accepted.
 };
 
 }  // namespace overbend

@@ -81,16 +81,19 @@ std::vector<std::string> material_assumptions(const Model& model) {
   return list;
 }
 
-std::vector<std::string> material_warnings(const Model& model) {
+Findings material_findings(const Model& model) {
   constexpr double kMaxFitError = 0.02;
-  std::vector<std::string> list;
+  Findings list;
   for (const Section& section : model.sections) {
     if (!section.bending || section.bending->fit_error <= kMaxFitError) continue;
-    list.push_back(
+    list.push_back(Finding{
+        FindingCode::moment_curvature_fit,
         fmt::format("the moment-curvature curve of section '{}' is reproduced only within {:.1f} %: moments there are "
                     "uncertain by as "
                     "much; give more points where the curve bends, or another law (pipe.steel.material)",
-                    section.name, 100.0 * section.bending->fit_error));
+                    section.name, 100.0 * section.bending->fit_error)}
+                       .on(section.name)
+                       .with("error", section.bending->fit_error, "1"));
   }
   return list;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "model/model.h"
 
 namespace overbend {
@@ -15,6 +16,6 @@ std::string material_words(const SteelDescription& steel);
 std::vector<std::string> material_assumptions(const Model& model);
 
 /// Warnings about moment-curvature curves that the model reproduces only roughly.
-std::vector<std::string> material_warnings(const Model& model);
+Findings material_findings(const Model& model);
 
 }  // namespace overbend

@@ -61,9 +61,9 @@ RaoLimits long_wave_limits(const RaoTable& raos, double vessel_length, double dr
   return limits;
 }
 
-std::vector<std::string> limit_warnings(const RaoLimits& limits) {
-  std::vector<std::string> warnings;
-  if (!limits.long_enough) return warnings;
+Findings limit_findings(const RaoLimits& limits) {
+  Findings findings;
+  if (!limits.long_enough) return findings;
   // Headings that mirror each other say the same of a degree of freedom: it is reported for the first only.
   std::set<int> told;
   for (const RaoLimitRow& row : limits.rows) {
@@ -73,14 +73,17 @@ std::vector<std::string> limit_warnings(const RaoLimits& limits) {
       if (other.agrees || other.freedom != row.freedom) continue;
       headings += fmt::format("{}{:.0f}", headings.empty() ? "" : " and ", other.heading * kToDegrees);
     }
-    warnings.push_back(
+    findings.push_back(Finding{
+        FindingCode::rao_conventions,
         fmt::format("RAOs: in long waves travelling towards {} deg {} is {:.2f} times what the water does, with a "
                     "lag of {:.0f} "
                     "deg where a free hull has {:.0f} deg: are the conventions (vessel.motion.convention) right?",
                     headings, kFreedomNames[static_cast<std::size_t>(row.freedom)], row.ratio, row.lag * kToDegrees,
-                    row.expected_lag * kToDegrees));
+                    row.expected_lag * kToDegrees)}
+                           .on("RAO of " + std::string(kFreedomNames[static_cast<std::size_t>(row.freedom)]))
+                           .with("ratio", row.ratio, "1"));
   }
-  return warnings;
+  return findings;
 }
 
 }  // namespace overbend

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "model/rao_table.h"
 
 namespace overbend {
@@ -31,6 +32,6 @@ struct RaoLimits {
 RaoLimits long_wave_limits(const RaoTable& raos, double vessel_length, double draught, double depth);
 
 /// A sentence for each freedom that disagrees, with its headings; none when the wave is not long enough to judge.
-std::vector<std::string> limit_warnings(const RaoLimits& limits);
+Findings limit_findings(const RaoLimits& limits);
 
 }  // namespace overbend

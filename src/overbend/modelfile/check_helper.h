@@ -25,8 +25,8 @@ class Checker {
     add(Severity::error, group.line, group.path.empty() ? key : group.path + "." + key, "nothing (the key is missing)",
         std::move(expected), std::move(hint));
   }
-  void warn(const FieldValue& at, std::string remark) {
-    add(Severity::warning, at.line, at.path, std::move(remark), {}, {});
+  void warn(const FieldValue& at, std::string remark, FindingCode code = FindingCode::unusual_input) {
+    diagnostics_.add({Severity::warning, file_, at.line, 0, at.path, std::move(remark), {}, {}, code});
   }
 
   /// Items of a list below a group; none when it is absent.

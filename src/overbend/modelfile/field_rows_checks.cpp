@@ -1,5 +1,6 @@
 #include "model/description_words.h"
 #include "modelfile/field_rows.h"
+#include "modelfile/row_makers.h"
 
 namespace overbend::field_rows {
 namespace {
@@ -158,6 +159,42 @@ std::vector<Field> limits() {
   };
 }
 
+Field safety_factor(const char* key, std::optional<double> SafetyFactors::*member, const char* text,
+                    const char* otherwise) {
+  return open_number(std::string("checks.safety_factors.") + key, fills(member), text, otherwise,
+                     {.low = 1.0, .high = 20.0});
+}
+
+std::vector<Field> safety_factors() {
+  using Factors = SafetyFactors;
+  return {
+      group_row("checks.safety_factors", enters(&CheckSettings::safety_factors),
+                "Required strength over load of lines, anchors and cables."),
+      safety_factor("mooring_intact", &Factors::mooring_intact,
+                    "Breaking load over tension of a mooring line, all lines there.",
+                    "API RP 2SK: 2.0 in statics and with quasi_static lines, 1.67 in dynamic analysis"),
+      safety_factor("mooring_damaged", &Factors::mooring_damaged, "The same where a mooring line is missing or parts.",
+                    "API RP 2SK: 1.43, and 1.25"),
+      safety_factor("anchor_intact", &Factors::anchor_intact, "Holding power over load of an anchor, all lines there.",
+                    "1.5, assumed for drag anchors (piles and plates have others)"),
+      safety_factor("anchor_damaged", &Factors::anchor_damaged, "The same where a mooring line is missing or parts.",
+                    "1.0, assumed for drag anchors"),
+      safety_factor("cable", &Factors::cable,
+                    "Breaking load over tension of the wire of abandonment, recovery and start-up.",
+                    "3, assumed: no public text gives a number"),
+      safety_factor("line", &Factors::line, "Breaking load over tension of lines by themselves.",
+                    "that of an intact mooring line, assumed")};
+}
+
+std::vector<Field> accepted() {
+  return {list_row("checks.accepted_findings", enters(&CheckSettings::accepted_findings),
+                   "Serious findings that the project accepts, by their names in the guide: they do not reserve the "
+                   "verdict, and the report says that they are accepted.",
+                   "none"),
+          row_of_kind(FieldKind::text, "checks.accepted_findings[]", appends_value<std::string>(),
+                      "Name of a serious finding, such as pipe-off-rollers.")};
+}
+
 }  // namespace
 
 std::vector<Field> checks() {
@@ -165,7 +202,7 @@ std::vector<Field> checks() {
                               .member = enters(&Description::checks),
                               .text = "Code checks.",
                               .fallback_text = "all with their defaults"}};
-  for (const std::vector<Field>& part : {strength(), options(), limits()}) {
+  for (const std::vector<Field>& part : {strength(), options(), limits(), safety_factors(), accepted()}) {
     rows.insert(rows.end(), part.begin(), part.end());
   }
   return rows;

@@ -191,7 +191,7 @@ void check_line_types(Checker& check, const std::set<std::string>& used) {
   if (types == nullptr) return;
   for (const FieldValue& type : types->children) {
     check_line_type(check, type);
-    if (used.count(type.key) == 0) check.warn(type, "no line uses this type");
+    if (used.count(type.key) == 0) check.warn(type, "no line uses this type", FindingCode::unused_input);
   }
 }
 

@@ -74,7 +74,8 @@ void check_section(Checker& check, const FieldValue& section, const FieldValue& 
   const FieldValue* coatings = own_or_line(section, pipe, "coatings");
   const bool uncoated = coatings == nullptr ? !section.mentions("coatings") : coatings->children.empty();
   if (uncoated) {
-    check.warn(*joint, "without coatings there is nothing for the infill to replace; the field joint has no effect");
+    check.warn(*joint, "without coatings there is nothing for the infill to replace; the field joint has no effect",
+               FindingCode::unused_input);
   }
 }
 
@@ -190,6 +191,17 @@ void check_grade(Checker& check) {
   }
 }
 
+void check_accepted_findings(Checker& check) {
+  std::vector<std::string> serious;
+  for (const FindingKind& one : finding_kinds()) {
+    if (one.severity == FindingSeverity::serious) serious.emplace_back(one.name);
+  }
+  for (const FieldValue& accepted : Checker::items(check.root(), "checks.accepted_findings")) {
+    if (std::ranges::find(serious, accepted.text) != serious.end()) continue;
+    check.error(accepted, accepted.shown, "the name of a serious finding: " + join_words(serious, "or"));
+  }
+}
+
 void check_current(Checker& check) {
   const FieldValue* before = nullptr;
   const auto water_depth = check.root().get_number("environment.water_depth");
@@ -276,6 +288,7 @@ void check_model(const FieldValue& root, const std::string& file, Diagnostics& d
   check_parts(check);
   check_current(check);
   check_grade(check);
+  check_accepted_findings(check);
   check_seabed(check);
   check_waves(root, file, diagnostics);
   check_pipe(check);

@@ -95,7 +95,7 @@ void check_winches(Checker& check, const std::set<std::string>& used) {
   for (const FieldValue& winch : winches->children) {
     check_winch(check, winch);
     check_program(check, winch);
-    if (used.count(winch.key) == 0) check.warn(winch, "no line uses this winch");
+    if (used.count(winch.key) == 0) check.warn(winch, "no line uses this winch", FindingCode::unused_input);
   }
 }
 

@@ -58,7 +58,8 @@ void check_motion(const FieldValue& root, const std::string& file, Diagnostics& 
   if (!stated || given.empty() || given.front() == word_of(VesselMotion::raos)) return;
   for (const FieldValue& key : convention->children) {
     if (key.given && (key.key != "reference" || given.front() == word_of(VesselMotion::coupled))) {
-      check.warn(key, "has no meaning for a motion by " + given.front() + " and is not used");
+      check.warn(key, "has no meaning for a motion by " + given.front() + " and is not used",
+                 FindingCode::unused_input);
     }
   }
 }

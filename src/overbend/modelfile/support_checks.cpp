@@ -171,7 +171,7 @@ void check_rollers(Checker& check) {
   const FieldValue* rollers = check.root().find("rollers");
   if (rollers == nullptr) return;
   for (const FieldValue& kind : rollers->children) {
-    if (used.count(kind.key) == 0) check.warn(kind, "no box uses this type of roller");
+    if (used.count(kind.key) == 0) check.warn(kind, "no box uses this type of roller", FindingCode::unused_input);
   }
 }
 

@@ -51,7 +51,8 @@ void check_keys(Checker& check, const FieldValue& waves, const WaveKeys& keys) {
   for (const std::string key : {"hs", "tp", "height", "period", "phase", "gamma", "spreading", "spectrum_file"}) {
     const FieldValue* extra = waves.find(key);
     if (extra == nullptr || !extra->given || holds(keys.needed, key) || holds(keys.allowed, key)) continue;
-    check.warn(*extra, std::string("has no meaning for waves of type ") + word_of(keys.type) + " and is not used");
+    check.warn(*extra, std::string("has no meaning for waves of type ") + word_of(keys.type) + " and is not used",
+               FindingCode::unused_input);
   }
 }
 

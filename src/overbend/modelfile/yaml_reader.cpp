@@ -70,7 +70,7 @@ void read_tree(const YamlNode& root, const std::string& path, Files files, Model
     reading.description.reset();
     return;
   }
-  reading.description->warnings = reading.diagnostics.lines(Severity::warning);
+  reading.description->findings = reading.diagnostics.findings();
 }
 
 }  // namespace

@@ -23,14 +23,15 @@ Json compared_numbers(const std::vector<std::optional<double>>& values) {
 }
 
 Json told_comparison(const FolderComparison& comparison) {
-  Json folders = Json::array(), keys = Json::array(), results = Json::array(), warnings = Json::array();
+  Json folders = Json::array(), keys = Json::array(), results = Json::array(), findings = Json::array();
   for (const ComparedFolder& one : comparison.folders) {
     folders.push_back({{"name", one.name},
                        {"path", one.path},
                        {"title", one.title},
                        {"version", one.version},
                        {"governing", one.governing},
-                       {"warnings", one.warnings}});
+                       {"warnings", messages(one.findings)},
+                       {"findings", findings_json(one.findings)}});
   }
   for (const ComparedKey& one : comparison.keys) keys.push_back({{"key", one.key}, {"values", one.values}});
   for (const ComparedResult& one : comparison.results) {
@@ -40,11 +41,14 @@ Json told_comparison(const FolderComparison& comparison) {
                        {"key", one.key},
                        {"values", compared_numbers(one.values)}});
   }
-  for (const PartialWarning& one : partial_warnings(comparison)) {
-    warnings.push_back({{"text", one.text}, {"has", one.has}});
+  for (const PartialFinding& one : partial_findings(comparison)) {
+    findings.push_back({{"text", one.finding.message},
+                        {"code", kind(one.finding.code).name},
+                        {"severity", name(one.finding.severity())},
+                        {"has", one.has}});
   }
   return {
-      {"folders", folders}, {"keys", keys}, {"results", results}, {"warnings", warnings}, {"notes", comparison.notes}};
+      {"folders", folders}, {"keys", keys}, {"results", results}, {"warnings", findings}, {"notes", comparison.notes}};
 }
 
 std::shared_ptr<FolderComparison> compared(const std::vector<std::string>& folders) {

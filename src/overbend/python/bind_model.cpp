@@ -6,8 +6,9 @@
 #include "python/bindings.h"
 #include "python/given.h"
 #include "python/model_handle.h"
+#include "python/to_python.h"
 #include "python/without_lock.h"
-#include "study/input_warnings.h"
+#include "study/input_findings.h"
 
 namespace overbend {
 namespace {
@@ -89,8 +90,9 @@ void add_model(py::module_& module) {
       .def_property_readonly("has_pipe", [](const GivenModel& model) { return model->still().has_pipe; })
       .def_property_readonly("assumptions",
                              [](const GivenModel& model) { return assumptions(build_model(whole(model))); })
-      .def_property_readonly("warnings",
-                             [](const GivenModel& model) { return input_warnings(build_model(whole(model))); });
+      .def_property_readonly("findings", [](const GivenModel& model) {
+        return to_python(findings_json(input_findings(build_model(whole(model)))));
+      });
 }
 
 }  // namespace overbend

@@ -10,6 +10,7 @@
 #include "python/given.h"
 #include "python/python_errors.h"
 #include "python/simulation_handle.h"
+#include "python/to_python.h"
 #include "python/without_lock.h"
 #include "runstore/checksum.h"
 #include "study/case.h"
@@ -277,8 +278,9 @@ void add_simulation(py::module_& module) {
       .def_property_readonly("notes",
                              [](const Handle& handle) {
                                const Simulation& simulation = handle->simulation();
-                               return py::make_tuple(simulation.controllers().assumptions(),
-                                                     simulation.controllers().warnings(simulation.system()));
+                               return py::make_tuple(
+                                   simulation.controllers().assumptions(),
+                                   to_python(findings_json(simulation.controllers().findings(simulation.system()))));
                              })
       .def("state", [](const Handle& handle) { return state_of(*handle); })
       .def("reactions", [](const Handle& handle) { return reactions_of(*handle); })

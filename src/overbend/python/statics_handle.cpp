@@ -20,7 +20,7 @@ constexpr const char* kStartedBeside =
 Description staged(const Description& whole, const std::string& stage) {
   if (stage.empty()) {
     Description lay = whole;
-    lay.warnings.push_back(no_stage_warning(whole));
+    lay.findings.push_back(no_stage_finding(whole));
     return lay;
   }
   std::variant<Description, RunEnd> chosen = choose_stage(whole, stage);
@@ -48,7 +48,8 @@ StaticsHandle::StaticsHandle(std::shared_ptr<ModelHandle> model, const std::stri
     made_.emplace(build_model(made_->description));  // as it was before the attempt
     take_lay(solve_lay(*made_));
   } else {
-    if (pushed_sideways(*made_)) statics_.lay->warnings.emplace_back(kStartedBeside);
+    if (pushed_sideways(*made_))
+      statics_.lay->findings.push_back({FindingCode::other_equilibrium_possible, kStartedBeside});
     still_ = start->still();
   }
   if (statics_.failure) throw SolveFault(*statics_.failure);

@@ -79,9 +79,9 @@ class DynamicRecorder : public SimulationObserver {
   double tip_clearance(const Instant& at) const;
   void find_passed(const Instant& at);
   void fill_assumptions(DynamicResults& results) const;
-  void fill_warnings(DynamicResults& results) const;
+  void fill_findings(DynamicResults& results) const;
   void fill_slamming(DynamicResults& results) const;
-  void fill_tensioner_warnings(DynamicResults& results) const;
+  void fill_tensioner_findings(DynamicResults& results) const;
   const std::vector<double>& places() const { return recovery_.places(); }
   void fill_supports(DynamicResults& results) const;
   void fill_regions(DynamicResults& results) const;

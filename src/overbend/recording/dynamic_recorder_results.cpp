@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "mechanics/contact_damage.h"
+#include "recording/dynamic_findings.h"
 #include "recording/dynamic_recorder.h"
 #include "recording/dynamic_recorder_layout.h"
-#include "recording/dynamic_warnings.h"
 #include "recording/move_record.h"
 
 namespace overbend {
@@ -118,33 +118,45 @@ void DynamicRecorder::fill_regions(DynamicResults& results) const {
   }
 }
 
-void DynamicRecorder::fill_tensioner_warnings(DynamicResults& results) const {
+void DynamicRecorder::fill_tensioner_findings(DynamicResults& results) const {
   const TensionerDynamics& t = results.tensioner;
   if (t.time_at_limit > 0.0) {
-    results.warnings.push_back(fmt::format(
-        "the tensioner was at its travel limit for {:.1f} s, with the tension uncontrolled", t.time_at_limit));
+    results.findings.push_back(
+        Finding{FindingCode::tensioner_at_travel_limit,
+                fmt::format("the tensioner was at its travel limit for {:.1f} s, with the tension uncontrolled",
+                            t.time_at_limit)}
+            .on("tensioner")
+            .with("duration", t.time_at_limit, "s"));
   }
   const TensionerDescription& machine = model_->description.tensioner;
   const double way = std::max(t.travel.max, -t.travel.min);
   if (machine.mode == TensionerMode::constant && machine.travel && way > *machine.travel && move_ == nullptr) {
-    results.warnings.push_back(fmt::format(
-        "the ideal tensioner of constant tension travels up to {:.2f} m from the start, more than tensioner.travel, "
-        "{:.2f} m, which does not stop it: a machine would have reached its limit, and the tension would not be "
-        "constant",
-        way, *machine.travel));
+    results.findings.push_back(Finding{
+        FindingCode::tensioner_at_travel_limit,
+        fmt::format(
+            "the ideal tensioner of constant tension travels up to {:.2f} m from the start, more than "
+            "tensioner.travel, "
+            "{:.2f} m, which does not stop it: a machine would have reached its limit, and the tension would not be "
+            "constant",
+            way, *machine.travel)}
+                                   .on("tensioner")
+                                   .with("travel", way, "m"));
   }
   if (!model_->supports.boxes.empty() && model_->supports.boxes.front().structure == Structure::ramp) {
     const double free = model_->supports.boxes.front().point_S.x() - model_->description.tensioner.x;
     if (t.travel.max > free && move_ == nullptr) {
-      results.warnings.push_back(
+      results.findings.push_back(Finding{
+          FindingCode::pipe_end_past_first_box,
           fmt::format("the tensioner paid out {:.2f} m, more than the {:.2f} m to the first box: the end of the pipe, "
                       "which moves with the travel, passed it",
-                      t.travel.max, free));
+                      t.travel.max, free)}
+                                     .on("tensioner")
+                                     .with("travel", t.travel.max, "m"));
     }
   }
 }
 
-void DynamicRecorder::fill_warnings(DynamicResults& results) const {
+void DynamicRecorder::fill_findings(DynamicResults& results) const {
   warn_of_left_boxes(results);
   std::optional<YieldingPlace> worst;
   for (std::size_t node = 0; node < results.von_mises.max.size(); ++node) {
@@ -154,11 +166,11 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
     if (place.share() > (worst ? worst->share() : 1.0)) worst = place;
   }
   if (worst) warn_of_yield(*statics_, *worst, results);
-  fill_tensioner_warnings(results);
+  fill_tensioner_findings(results);
   if (move_ != nullptr) warn_of_move(*model_, *move_, results);
-  for (std::string& warning : moorings_.warnings()) results.warnings.push_back(std::move(warning));
-  for (std::string& warning : thrust_.warnings()) results.warnings.push_back(std::move(warning));
-  for (std::string& warning : stinger_.warnings()) results.warnings.push_back(std::move(warning));
+  append(results.findings, moorings_.findings());
+  append(results.findings, thrust_.findings());
+  append(results.findings, stinger_.findings());
   if (const std::optional<StartWatch::Departure> departure = start_.departure()) {
     warn_of_departure(*statics_, departure->distance, places()[departure->node], departure->time, results);
   }
@@ -230,7 +242,7 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   fill_assumptions(results);
   if (move_ != nullptr) assume_of_move(*model_, *move_, results);
   fill_slamming(results);
-  fill_warnings(results);
+  fill_findings(results);
   warn_of_slack(*statics_, results);
   if (fatigue_) fatigue_->fill(results);
 }

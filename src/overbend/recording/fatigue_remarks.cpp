@@ -85,22 +85,29 @@ void warn_of_fatigue(const Model& model, DynamicResults& results) {
   for (const FatigueSpot& spot : fatigue.spots) {
     const double cycles = spot.cycles[worst_station(spot)] * results.duration;
     if (cycles < kFewCycles) {
-      results.warnings.push_back(
+      results.findings.push_back(Finding{
+          FindingCode::fatigue_few_cycles,
           fmt::format("fatigue at '{}' is from {:.0f} stress cycles at the worst station: a run of more than {:.0f} is "
                       "needed for a "
                       "damage rate that hangs little on chance",
-                      spot.name, cycles, kFewCycles));
+                      spot.name, cycles, kFewCycles)}
+                                     .on(spot.name)
+                                     .with("cycles", cycles, "1"));
     }
     if (spot.standby < pace.weld_time + pace.move_time) {
-      results.warnings.push_back(
+      results.findings.push_back(Finding{
+          FindingCode::fatigue_budget,
           fmt::format("the fatigue budget at '{}' leaves {:.0f} s of standby, less than the {:.0f} s of one joint",
-                      spot.name, spot.standby, pace.weld_time + pace.move_time));
+                      spot.name, spot.standby, pace.weld_time + pace.move_time)}
+                                     .on(spot.name)
+                                     .with("standby", spot.standby, "s"));
     }
   }
   if (yields(model, results)) {
-    results.warnings.emplace_back(
-        "the steel yields in the run: fatigue is counted with the stress of elastic steel at the same curvature or "
-        "moment, and low-cycle fatigue is not looked at");
+    results.findings.push_back(
+        {FindingCode::fatigue_with_yield,
+         "the steel yields in the run: fatigue is counted with the stress of elastic steel at the same curvature or "
+         "moment, and low-cycle fatigue is not looked at"});
   }
 }
 

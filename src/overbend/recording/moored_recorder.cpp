@@ -88,8 +88,8 @@ void MooredRecorder::fill(DynamicResults& results) const {
   results.moorings = moorings_.results();
   results.vessel = vessel_.results();
   results.thrust = thrust_.results();
-  for (std::string& warning : moorings_.warnings()) results.warnings.push_back(std::move(warning));
-  for (std::string& warning : thrust_.warnings()) results.warnings.push_back(std::move(warning));
+  append(results.findings, moorings_.findings());
+  append(results.findings, thrust_.findings());
   if (const MoveProfile* move = simulation_->move()) {
     assume_of_move(*model_, *move, results);
     warn_of_move(*model_, *move, results);

@@ -228,24 +228,36 @@ bool MooringWatch::hauled_in(std::size_t line) const {
   return statistics_.weight() > 0.0 && statistics_.min()[kQuantities * line + kLength] < lines_[line].length - kLeast;
 }
 
-std::vector<std::string> MooringWatch::warnings() const {
-  std::vector<std::string> list;
-  const auto warn = [&](const Watched& line, const Peak& peak, const std::optional<double>& limit, const char* of) {
+Findings MooringWatch::findings() const {
+  Findings list;
+  const auto warn = [&](FindingCode code, const Watched& line, const Peak& peak, const std::optional<double>& limit,
+                        const char* limit_name) {
     if (!limit || peak.value <= *limit) return false;
-    list.push_back(fmt::format("mooring line \"{}\" had {:.1f} kN at t = {:.1f} s, more than {} of {:.1f} kN",
-                               line.name, 1e-3 * peak.value, peak.time, of, 1e-3 * *limit));
+    list.push_back(
+        Finding{code, fmt::format("mooring line \"{}\" had {:.1f} kN at t = {:.1f} s, more than {} of {:.1f} kN",
+                                  line.name, 1e-3 * peak.value, peak.time, limit_name, 1e-3 * *limit)}
+            .on("mooring line " + line.name)
+            .at_time(peak.time)
+            .with("tension", peak.value, "N"));
     return true;
   };
+  using enum FindingCode;
   for (const Watched& line : lines_) {
-    if (!warn(line, line.fairlead, line.breaking, "its breaking load")) {
-      warn(line, line.fairlead, line.working, "the working load");
+    if (!warn(breaking_load_exceeded, line, line.fairlead, line.breaking, "its breaking load")) {
+      warn(working_load_exceeded, line, line.fairlead, line.working, "the working load");
     }
-    if (!line.slides) warn(line, line.anchor, line.holding, "its anchor's holding power (anchor_slides: no)");
-    if (quasi_static_) warn(line, line.fairlead, line.brake, "its winch's brake (quasi-static lines: not rendered)");
+    if (!line.slides) {
+      warn(anchor_holding_exceeded, line, line.anchor, line.holding, "its anchor's holding power (anchor_slides: no)");
+    }
+    if (quasi_static_) {
+      warn(winch_limit_exceeded, line, line.fairlead, line.brake,
+           "its winch's brake (quasi-static lines: not rendered)");
+    }
   }
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     if (quasi_static_ && hauled_in(i)) {
-      warn(lines_[i], lines_[i].fairlead, lines_[i].stall, "its winch's stall (quasi-static lines: not obeyed)");
+      warn(winch_limit_exceeded, lines_[i], lines_[i].fairlead, lines_[i].stall,
+           "its winch's stall (quasi-static lines: not obeyed)");
     }
     warn_of_shape(i, list);
   }
@@ -253,62 +265,89 @@ std::vector<std::string> MooringWatch::warnings() const {
 }
 
 /// Anchor lifted, or nothing left on the bed; slack.
-void MooringWatch::warn_of_shape(std::size_t line, std::vector<std::string>& list) const {
+void MooringWatch::warn_of_shape(std::size_t line, Findings& list) const {
   const Watched& one = lines_[line];
   if (statistics_.weight() <= 0.0) return;
   const auto of = [&](Quantity quantity) { return kQuantities * line + quantity; };
   if (one.uplift.value > 0.0) {
-    list.push_back(fmt::format(
-        "mooring line \"{}\" lifted its anchor with {:.1f} kN at t = {:.1f} s: no length of it was left on the bed",
-        one.name, 1e-3 * one.uplift.value, one.uplift.time));
+    list.push_back(Finding{
+        FindingCode::anchor_lifted,
+        fmt::format(
+            "mooring line \"{}\" lifted its anchor with {:.1f} kN at t = {:.1f} s: no length of it was left on the bed",
+            one.name, 1e-3 * one.uplift.value, one.uplift.time)}
+                       .on("mooring line " + one.name)
+                       .at_time(one.uplift.time)
+                       .with("uplift", one.uplift.value, "N"));
   } else if (statistics_.min()[of(kOnBed)] <= 0.0) {
-    list.push_back(fmt::format("mooring line \"{}\" had no length on the bed at times", one.name));
+    list.push_back(Finding{FindingCode::no_length_on_seabed,
+                           fmt::format("mooring line \"{}\" had no length on the bed at times", one.name)}
+                       .on("mooring line " + one.name));
   }
   warn_of_winch(one, list);
   const double slack = statistics_.mean()[of(kSlack)] * statistics_.weight();
   if (slack > 0.0) {
-    list.push_back(
+    list.push_back(Finding{
+        FindingCode::line_slack,
         fmt::format("mooring line \"{}\" was slack for {:.1f} s in all: less than a tenth of its tension at the start; "
                     "it tightens with a jerk",
-                    one.name, slack));
+                    one.name, slack)}
+                       .on("mooring line " + one.name)
+                       .with("duration", slack, "s"));
   }
 }
 
-void MooringWatch::warn_of_winch(const Watched& line, std::vector<std::string>& list) {
+void MooringWatch::warn_of_winch(const Watched& line, Findings& list) {
   constexpr double kLeastElement = 0.5, kMostElement = 1.5;
   constexpr double kLongElement = 0.075;  // half as long again as a cable's longest by its rule
   constexpr double kLeast = 0.01;         // less is not worth a word [m], [s]
   if (line.rendered > kLeast) {
     list.push_back(
-        fmt::format("the winch of mooring line \"{}\" rendered: its brake, set to {:.1f} kN, paid out {:.2f} m",
-                    line.name, 1e-3 * line.brake.value_or(0.0), line.rendered));
+        Finding{FindingCode::winch_rendered,
+                fmt::format("the winch of mooring line \"{}\" rendered: its brake, set to {:.1f} kN, paid out {:.2f} m",
+                            line.name, 1e-3 * line.brake.value_or(0.0), line.rendered)}
+            .on("mooring line " + line.name)
+            .with("length", line.rendered, "m"));
   }
   if (line.held_up_for > kLeast) {
     list.push_back(
-        fmt::format("the winch of mooring line \"{}\" could not haul in for {:.1f} s: it stalls at {:.1f} kN",
-                    line.name, line.held_up_for, 1e-3 * line.stall.value_or(0.0)));
+        Finding{FindingCode::winch_stalled,
+                fmt::format("the winch of mooring line \"{}\" could not haul in for {:.1f} s: it stalls at {:.1f} kN",
+                            line.name, line.held_up_for, 1e-3 * line.stall.value_or(0.0))}
+            .on("mooring line " + line.name)
+            .with("duration", line.held_up_for, "s"));
   }
   if (line.slipped > kLeast) {
-    list.push_back(
+    list.push_back(Finding{
+        FindingCode::anchor_dragged,
         fmt::format("the anchor of mooring line \"{}\" dragged by {:.2f} m: its holding power is {:.1f} kN, less the "
                     "uplift",
-                    line.name, line.slipped, 1e-3 * line.holding.value_or(0.0)));
+                    line.name, line.slipped, 1e-3 * line.holding.value_or(0.0))}
+                       .on("mooring line " + line.name)
+                       .with("distance", line.slipped, "m"));
   }
   if (line.least_element < kLeastElement || line.most_element > kMostElement) {
-    list.push_back(fmt::format(
-        "the winch of mooring line \"{}\" changed the length of the line's last element to {:.2f} to {:.2f} "
-        "times its own: forces are less accurate beyond a half and one and a half",
-        line.name, line.least_element, line.most_element));
+    list.push_back(Finding{
+        FindingCode::winch_element_stretched,
+        fmt::format(
+            "the winch of mooring line \"{}\" changed the length of the line's last element to {:.2f} to {:.2f} "
+            "times its own: forces are less accurate beyond a half and one and a half",
+            line.name, line.least_element, line.most_element)}
+                       .on("mooring line " + line.name));
   }
   if (line.last_element > kLongElement * line.length) {
-    list.push_back(
+    list.push_back(Finding{
+        FindingCode::winch_element_stretched,
         fmt::format("the last element of mooring line \"{}\" is {:.0f} m long, as the way of its winch asks for: its "
                     "shape and tension are less accurate",
-                    line.name, line.last_element));
+                    line.name, line.last_element)}
+                       .on("mooring line " + line.name));
   }
   if (line.parted_at) {
     list.push_back(
-        fmt::format("mooring line \"{}\" parted at its fairlead at t = {:.1f} s", line.name, *line.parted_at));
+        Finding{FindingCode::line_parted,
+                fmt::format("mooring line \"{}\" parted at its fairlead at t = {:.1f} s", line.name, *line.parted_at)}
+            .on("mooring line " + line.name)
+            .at_time(*line.parted_at));
   }
 }
 

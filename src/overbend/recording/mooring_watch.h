@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "model/mooring_description.h"
 #include "numerics/running_statistics.h"
 #include "results/moored_dynamics.h"
@@ -28,7 +29,7 @@ class MooringWatch {
   double* film(const SystemState& state, const Assembly& assembly, double* out) const;
   /// Lines beyond their breaking or working load, their winch's brake, their anchor's holding power; lines that lift
   /// their anchor or hang slack.
-  std::vector<std::string> warnings() const;
+  Findings findings() const;
   /// All but slow and wave parts, and clearances.
   std::vector<MooringLineDynamics> results() const;
 
@@ -65,8 +66,8 @@ class MooringWatch {
   void watch_slack(std::size_t line, double time);
   void watch_ends(std::size_t line, const SystemState& state);
   void watch_element(std::size_t line, const GivenWay& way, const LineMesh& mesh);
-  static void warn_of_winch(const Watched& line, std::vector<std::string>& list);
-  void warn_of_shape(std::size_t line, std::vector<std::string>& list) const;
+  static void warn_of_winch(const Watched& line, Findings& list);
+  void warn_of_shape(std::size_t line, Findings& list) const;
   /// Whether a line was shorter than at the start.
   bool hauled_in(std::size_t line) const;
   void look(const SystemState& state, const Assembly& assembly);

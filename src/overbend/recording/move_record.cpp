@@ -11,18 +11,27 @@ namespace {
 void warn_of_tensioner(const TensionerDescription& tensioner, const MoveProfile& move, DynamicResults& results) {
   const Spread& travel = results.tensioner.travel;
   if (results.tensioner.mode == word_of(TensionerMode::locked) && travel.max == travel.min) {
-    results.warnings.emplace_back(
+    results.findings.push_back(Finding{
+        FindingCode::tensioner_locked_in_move,
         "the tensioner is locked while the vessel moves: no pipe is paid out, and the tension is that of the pulled "
-        "pipe");
+        "pipe"}
+                                   .on("tensioner"));
   } else if (tensioner.velocity > 0.0 && tensioner.velocity < move.speed) {
-    results.warnings.push_back(
+    results.findings.push_back(Finding{
+        FindingCode::tensioner_slower_than_vessel,
         fmt::format("the tensioner pays out {:.2f} m/s at most, the vessel moves at {:.2f} m/s: it cannot follow",
-                    tensioner.velocity, move.speed));
+                    tensioner.velocity, move.speed)}
+                                   .on("tensioner")
+                                   .with("velocity", tensioner.velocity, "m/s"));
   }
   if (tensioner.travel) {
-    results.warnings.push_back(fmt::format(
-        "the tensioner's travel of {:.2f} m is not applied: while the vessel moves it feeds pipe without end",
-        *tensioner.travel));
+    results.findings.push_back(Finding{
+        FindingCode::tensioner_travel_not_applied,
+        fmt::format(
+            "the tensioner's travel of {:.2f} m is not applied: while the vessel moves it feeds pipe without end",
+            *tensioner.travel)}
+                                   .on("tensioner")
+                                   .with("travel", *tensioner.travel, "m"));
   }
 }
 
@@ -51,9 +60,11 @@ void assume_of_move(const Model& model, const MoveProfile& move, DynamicResults&
 
 void warn_of_move(const Model& model, const MoveProfile& move, DynamicResults& results) {
   if (move.end() > results.duration) {
-    results.warnings.push_back(
-        fmt::format("the run is too short for the operation: it ends at t = {:.0f} s, the last of {} moves at {:.0f} s",
-                    results.duration, move.moves, move.end()));
+    results.findings.push_back(
+        {FindingCode::run_shorter_than_operation,
+         fmt::format(
+             "the run is too short for the operation: it ends at t = {:.0f} s, the last of {} moves at {:.0f} s",
+             results.duration, move.moves, move.end())});
   }
   if (model.description.has_pipe) warn_of_tensioner(model.description.tensioner, move, results);
 }

@@ -37,16 +37,23 @@ DynamicResults begun_results(const Model& model, const Run& run) {
   r.energy = run.energy();
   r.run = finished(run.report(), options, r.duration + std::ceil(r.build_up / r.output_step) * r.output_step);
   if (const double leap = leap_at_start(model); leap > kSmallLeap) {
-    r.warnings.push_back(
+    r.findings.push_back(Finding{
+        FindingCode::start_without_build_up,
         fmt::format("without build-up the stern shoe leaps by {:.3g} m from where statics have it: what rings after "
                     "t = 0 comes from that; give some wave periods (analysis.dynamic.build_up)",
-                    leap));
+                    leap)}
+                             .on("vessel")
+                             .with("distance", leap, "m"));
   }
   if (const double speed = speed_at_start(model); speed > kSmallSpeed) {
-    r.warnings.push_back(fmt::format(
-        "without build-up the stern shoe has {:.3g} m/s at once: impacts and tensions after t = 0 come from "
-        "that; give some wave periods (analysis.dynamic.build_up)",
-        speed));
+    r.findings.push_back(Finding{
+        FindingCode::start_without_build_up,
+        fmt::format(
+            "without build-up the stern shoe has {:.3g} m/s at once: impacts and tensions after t = 0 come from "
+            "that; give some wave periods (analysis.dynamic.build_up)",
+            speed)}
+                             .on("vessel")
+                             .with("speed", speed, "m/s"));
   }
   return r;
 }
@@ -55,9 +62,7 @@ DynamicResults results_of(const Model& model, const Simulation& simulation, cons
   DynamicResults r = begun_results(model, simulation);
   recorder.fill(r);
   for (std::string& words : simulation.controllers().assumptions()) r.assumptions.push_back(std::move(words));
-  for (std::string& words : simulation.controllers().warnings(simulation.system())) {
-    r.warnings.push_back(std::move(words));
-  }
+  append(r.findings, simulation.controllers().findings(simulation.system()));
   return r;
 }
 

@@ -98,14 +98,19 @@ std::vector<StingerSectionDynamics> StingerWatch::results() const {
   return list;
 }
 
-std::vector<std::string> StingerWatch::warnings() const {
-  std::vector<std::string> list;
+Findings StingerWatch::findings() const {
+  Findings list;
   for (const Watched& section : sections_) {
     if (section.hits > 0.0) {
-      list.push_back(fmt::format(
-          "the stinger section '{}' ran into a stop {:.0f} times; the largest stop moment, {:.0f} kN m, was at t = "
-          "{:.1f} s",
-          section.name, section.hits, 1e-3 * section.hardest, section.hardest_at));
+      list.push_back(Finding{
+          FindingCode::stinger_stop_impacts,
+          fmt::format(
+              "the stinger section '{}' ran into a stop {:.0f} times; the largest stop moment, {:.0f} kN m, was at t = "
+              "{:.1f} s",
+              section.name, section.hits, 1e-3 * section.hardest, section.hardest_at)}
+                         .on(section.name)
+                         .at_time(section.hardest_at)
+                         .with("moment", section.hardest, "N m"));
     }
   }
   return list;

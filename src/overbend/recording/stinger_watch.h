@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "model/model.h"
 #include "numerics/running_statistics.h"
 #include "results/stinger_dynamics.h"
@@ -31,7 +32,7 @@ class StingerWatch {
   void add(const Assembly& assembly, double time, double step);
   std::vector<StingerSectionDynamics> results() const;
   /// Sections that ran into a stop or turned far.
-  std::vector<std::string> warnings() const;
+  Findings findings() const;
   std::vector<double> save() const;
   void restore(const std::vector<double>& saved);
 

@@ -49,17 +49,20 @@ std::vector<ThrustDynamics> ThrustWatch::results() const {
   return out;
 }
 
-std::vector<std::string> ThrustWatch::warnings() const {
-  std::vector<std::string> list;
+Findings ThrustWatch::findings() const {
+  Findings list;
   for (const ThrustDynamics& one : results()) {
     if (!one.limit || one.time_at_limit <= 0.0) continue;
     const char* const unit = one.name == kNames[kYaw] ? "kN m" : "kN";
-    list.push_back(
+    list.push_back(Finding{
+        FindingCode::thrust_at_limit,
         fmt::format("dynamic positioning is at its limit in {0} for {1:.3g} s, {2:.2g} % of the run: up to {3:.4g} {4} "
                     "is asked for, and it gives {5:.4g} {4} at most (station_keeping.dp.{0}.thrust_limit): there it "
                     "neither holds nor damps",
                     one.name, one.time_at_limit, 100.0 * one.time_at_limit / statistics_.weight(),
-                    1e-3 * one.largest_asked, unit, 1e-3 * *one.limit));
+                    1e-3 * one.largest_asked, unit, 1e-3 * *one.limit)}
+                       .on("dynamic positioning, " + one.name)
+                       .with("duration", one.time_at_limit, "s"));
   }
   return list;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "hull/hull.h"
 #include "numerics/running_statistics.h"
 #include "results/moored_dynamics.h"
@@ -28,7 +29,7 @@ class ThrustWatch {
   double given(std::size_t direction) const { return now_.given[static_cast<Eigen::Index>(direction)]; }
   std::vector<ThrustDynamics> results() const;
   /// Of each direction that was at its limit, how long.
-  std::vector<std::string> warnings() const;
+  Findings findings() const;
 
   std::vector<double> save() const { return statistics_.save(); }
   void restore(const std::vector<double>& saved) { statistics_.restore(saved); }

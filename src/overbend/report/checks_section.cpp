@@ -10,9 +10,9 @@
 #include "report/html.h"
 #include "report/json_number.h"
 #include "report/places.h"
-#include "report/verdict.h"
 #include "resultfiles/check_tables.h"
 #include "results/fields/result_field.h"
+#include "results/verdict.h"
 
 namespace overbend {
 namespace {
@@ -147,7 +147,7 @@ std::string inputs_table(const CheckTable& table) {
 
 /// Summary of the table, and the meaning of its columns.
 std::string headline(const CheckTable& table) {
-  return "<p>" + html::escape(verdict_of(table, {}).because) +
+  return "<p>" + html::escape(make_verdict(table, {}).because) +
          " The reserve factor is the factor on the load effects, at unchanged pressure, at which the utilisation is 1. "
          "The formulas have not been compared with the printed standards; see the assumptions.</p>\n";
 }

@@ -13,7 +13,7 @@
 #include "report/report_data.h"
 #include "report/sections.h"
 #include "resultfiles/seeds_writer.h"
-#include "results/warnings.h"
+#include "results/findings.h"
 
 namespace overbend {
 namespace {
@@ -35,9 +35,9 @@ std::string quantities_section(const Comparison& comparison) {
     for (const ComparedRun& run : comparison.runs) cells.push_back(shown(run.values.at(i) * unit.factor));
     table.row(cells);
   }
-  std::vector<std::string> warnings = {"Warnings", "-"};
-  for (const ComparedRun& run : comparison.runs) warnings.push_back(std::to_string(run.results.warnings.size()));
-  table.row(warnings);
+  std::vector<std::string> counts = {"Findings", "-"};
+  for (const ComparedRun& run : comparison.runs) counts.push_back(std::to_string(run.results.findings.size()));
+  table.row(counts);
   return html::section("quantities", "Results of the variants",
                        table.str() + "<p class=\"small\">From the end of the build-up to the end of the run.</p>\n");
 }
@@ -89,25 +89,28 @@ std::string links_section(const Comparison& comparison) {
 }
 
 /// Of the variants by name, then of the static state that all begin from.
-std::vector<std::string> warnings_of(const StaticResults& statics, const Comparison& comparison) {
-  std::vector<std::string> all;
+Findings variant_findings(const StaticResults& statics, const Comparison& comparison) {
+  Findings all;
   for (const ComparedRun& run : comparison.runs) {
-    for (const std::string& warning : run.results.warnings) all.push_back(run.name + ": " + warning);
+    for (Finding finding : run.results.findings) {
+      finding.message = run.name + ": " + finding.message;
+      all.push_back(std::move(finding));
+    }
   }
-  return together(std::move(all), statics.warnings);
+  return merge(std::move(all), statics.findings);
 }
 
 }  // namespace
 
 std::string comparison_html(const StaticResults& statics, const Comparison& comparison, const std::string& model_text) {
-  const std::vector<WeighedWarning> warnings = weighed(warnings_of(statics, comparison));
+  const Findings findings = variant_findings(statics, comparison);
   std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
   entries.emplace_back("Simulated", duration_words(comparison.duration) + " each");
-  entries.emplace_back("Status", status_words("completed", warnings.size()));
+  entries.emplace_back("Status", status_words("completed", findings.size()));
   entries.emplace_back("Program", "Overbend " + statics.version);
   entries.emplace_back("Written", written_now());
   const std::string body = title_block(std::string("Comparison: ") + title_of(comparison.of), statics.title, entries) +
-                           findings_section(comparison) + warnings_section(warnings) + figures(comparison) +
+                           comparison_section(comparison) + findings_section(findings) + figures(comparison) +
                            quantities_section(comparison) + boxes_section(comparison) + links_section(comparison) +
                            model_text_section(model_text);
   return whole_page(statics.title + " - comparison", body, report_data(statics, comparison));

@@ -27,7 +27,7 @@ std::string counts_words(const TensionerDynamics& t) {
   return fmt::format(", pays out {} and hauls in {} times{}", t.pay_out_count, t.haul_in_count, at_limit);
 }
 
-std::vector<std::string> tensioner_findings(const Comparison& comparison) {
+std::vector<std::string> tensioner_sentences(const Comparison& comparison) {
   std::vector<std::string> list;
   for (const ComparedRun& run : comparison.runs) {
     const TensionerDynamics& t = run.results.tensioner;
@@ -108,7 +108,7 @@ std::vector<std::string> meaning(const Comparison& comparison) {
   return list;
 }
 
-std::vector<std::string> contact_findings(const Comparison& comparison) {
+std::vector<std::string> contact_sentences(const Comparison& comparison) {
   std::vector<std::string> list;
   for (std::size_t run = 0; run < comparison.runs.size(); ++run) list.push_back(run_words(comparison, run));
   const std::vector<std::string> more = meaning(comparison);
@@ -144,7 +144,7 @@ std::string change_words(const Comparison& comparison, double (*value)(const Dyn
   return fmt::format("{} % {}", fixed(std::abs(change), 1), change < 0.0 ? "less" : "more");
 }
 
-std::vector<std::string> impacts_findings(const Comparison& comparison) {
+std::vector<std::string> impact_sentences(const Comparison& comparison) {
   std::vector<std::string> list = {impacts_words(comparison, 0), impacts_words(comparison, 1)};
   const auto count = [](const DynamicResults& r) { return static_cast<double>(r.impact_count); };
   const auto stress = [](const DynamicResults& r) { return r.overbend.von_mises.over_time.max; };
@@ -161,14 +161,14 @@ std::vector<std::string> impacts_findings(const Comparison& comparison) {
   return list;
 }
 
-std::vector<std::string> findings_of(const Comparison& comparison) {
+std::vector<std::string> summary_sentences(const Comparison& comparison) {
   switch (comparison.of) {
     case ComparisonOf::tensioner:
-      return tensioner_findings(comparison);
+      return tensioner_sentences(comparison);
     case ComparisonOf::contact:
-      return contact_findings(comparison);
+      return contact_sentences(comparison);
     case ComparisonOf::impacts:
-      return impacts_findings(comparison);
+      return impact_sentences(comparison);
   }
   broken_promise("every comparison has findings");
 }
@@ -182,8 +182,8 @@ std::vector<std::string> box_cells(const ComparedBox& box) {
 
 }  // namespace
 
-std::string findings_section(const Comparison& comparison) {
-  return html::section("findings", "Findings", html::list(findings_of(comparison)));
+std::string comparison_section(const Comparison& comparison) {
+  return html::section("summary", "Summary", html::list(summary_sentences(comparison)));
 }
 
 std::string boxes_section(const Comparison& comparison) {

@@ -8,7 +8,7 @@
 namespace overbend {
 
 /// Interpretation of the differences, in sentences.
-std::string findings_section(const Comparison& comparison);
+std::string comparison_section(const Comparison& comparison);
 
 /// A row per support box.
 std::string boxes_section(const Comparison& comparison);

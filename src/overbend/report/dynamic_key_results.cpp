@@ -10,7 +10,7 @@
 #include "report/sea_words.h"
 #include "report/sections.h"
 #include "results/fields/dynamic_values.h"
-#include "results/warnings.h"
+#include "results/findings.h"
 
 namespace overbend {
 namespace {
@@ -160,7 +160,7 @@ std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticRes
   std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
   add_run_entries(results, description, entries);
   entries.emplace_back("Tensioner", results.tensioner.mode);
-  entries.emplace_back("Status", status_words("completed", all_warnings(statics, results).size()));
+  entries.emplace_back("Status", status_words("completed", all_findings(statics, results).size()));
   entries.emplace_back("Program", "Overbend " + statics.version);
   entries.emplace_back("Written", written);
   return entries;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/finding.h"
 #include "base/json.h"
 #include "report/figure_list.h"
 #include "report/front_page.h"
@@ -12,7 +13,6 @@
 #include "report/json_number.h"
 #include "report/page.h"
 #include "report/sections.h"
-#include "report/warning_weight.h"
 #include "resultfiles/folder_comparison_writer.h"
 #include "results/fields/shown_unit.h"
 
@@ -56,7 +56,7 @@ std::string folders_section(const FolderComparison& comparison) {
                     "plain");
   for (const ComparedFolder& folder : comparison.folders) {
     table.row({folder.name, folder.title, word(folder.kind), folder.version,
-               folder.governing.empty() ? "-" : folder.governing, std::to_string(folder.warnings.size())});
+               folder.governing.empty() ? "-" : folder.governing, std::to_string(folder.findings.size())});
   }
   std::string notes;
   for (const std::string& note : comparison.notes) notes += "<p>" + html::escape(note) + "</p>\n";
@@ -116,16 +116,16 @@ std::string results_section(const FolderComparison& comparison) {
                            "comparison.csv has the same rows.</p>\n");
 }
 
-std::string warnings_part(const FolderComparison& comparison) {
-  const std::vector<PartialWarning> warnings = partial_warnings(comparison);
-  if (warnings.empty()) return "";
-  html::Table table("", with_folders({{"Warning", "", true}}, comparison, true), "checks");
-  for (const PartialWarning& warning : warnings) {
-    std::vector<std::string> cells = {without_mark(warning.text)};
-    for (const bool has : warning.has) cells.emplace_back(has ? "yes" : "-");
+std::string findings_part(const FolderComparison& comparison) {
+  const std::vector<PartialFinding> findings = partial_findings(comparison);
+  if (findings.empty()) return "";
+  html::Table table("", with_folders({{"Finding", "", true}, {"Severity", "", true}}, comparison, true), "checks");
+  for (const PartialFinding& partial : findings) {
+    std::vector<std::string> cells = {partial.finding.message, name(partial.finding.severity())};
+    for (const bool has : partial.has) cells.emplace_back(has ? "yes" : "-");
     table.row(cells);
   }
-  return html::section("warnings", "Warnings that not all have", table.str());
+  return html::section("findings", "Findings not common to all runs", table.str());
 }
 
 std::string figures(const FolderComparison& comparison) {
@@ -170,7 +170,7 @@ std::string folder_comparison_html(const FolderComparison& comparison) {
       {"Written", written_now()}};
   const std::string body = title_block("Comparison of results", subject(comparison), entries) +
                            folders_section(comparison) + keys_section(comparison) + results_section(comparison) +
-                           figures(comparison) + warnings_part(comparison);
+                           figures(comparison) + findings_part(comparison);
   return overlay_frame(subject(comparison) + " - comparison", body, json_text({{"overlay", figures_json(comparison)}}));
 }
 

@@ -9,17 +9,13 @@ std::optional<Description> description_of(const std::string& model_text) {
 }
 
 FrontPage front_of(const std::string& kind, const std::string& title, const std::optional<Description>& description,
-                   const std::vector<std::string>& remarks) {
+                   const Findings& findings) {
   FrontPage front;
   front.kind = kind;
   front.title = title;
   if (description) front.control = description->report;
-  front.warnings = weighed(remarks);
+  front.findings = sorted_by_severity(findings);
   return front;
-}
-
-std::optional<double> working_load_of(const std::optional<Description>& description) {
-  return description && description->moorings ? description->moorings->working_load : std::nullopt;
 }
 
 }  // namespace overbend

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "report/front_page.h"
 
 namespace overbend {
@@ -12,11 +13,8 @@ namespace overbend {
 /// The inputs are shown as the program reads them; nothing where it can no longer read the text.
 std::optional<Description> description_of(const std::string& model_text);
 
-/// Kind, title, document control and warnings by weight.
+/// Kind, title, document control and findings by severity.
 FrontPage front_of(const std::string& kind, const std::string& title, const std::optional<Description>& description,
-                   const std::vector<std::string>& remarks);
-
-/// The working load of the mooring lines, where the model gives one [N].
-std::optional<double> working_load_of(const std::optional<Description>& description);
+                   const Findings& findings);
 
 }  // namespace overbend

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <span>
+#include <string_view>
+#include <utility>
 
 #include "report/html.h"
 #include "report/places.h"
@@ -33,13 +36,18 @@ std::string control_box(const ReportDescription& control) {
   return any ? "<dl class=\"control\">" + out + "</dl>\n" : "";
 }
 
+std::string upper_first(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
 const char* css_of(VerdictKind kind) {
   constexpr std::array<const char*, 4> kCss = {"passed", "reserved", "exceeded", "open"};
   return kCss[static_cast<std::size_t>(kind)];
 }
 
 /// A bar whose whole length is 1.25 of the capacity.
-std::string bar(const UtilisationBar& one) {
+std::string bar(const Utilisation& one) {
   constexpr double kWhole = 1.25;
   return fmt::format(
       "<div class=\"bar{}\"><div class=\"region\">{}</div><div class=\"track\"><div style=\"width:{}%\"></div></div>"
@@ -48,29 +56,56 @@ std::string bar(const UtilisationBar& one) {
       fixed(100.0 * std::clamp(one.utilisation / kWhole, 0.0, 1.0), 1), fixed(one.utilisation, 3), escape(one.what));
 }
 
-UtilisationBar bar_of(const StaticResults& statics, const CheckRow& row) {
+Utilisation bar_of(const StaticResults& statics, const CheckRow& row) {
   const std::string when = row.in_time ? ", t = " + fixed(row.time, 1) + " s" : "";
   return {region_title(row.region), row.utilisation,
           fmt::format("{}, {}; {}{}", row.name, row.code, place_name(statics, row.s), when)};
 }
 
-std::string card(const std::string& heading, const std::vector<UtilisationBar>& bars, const std::string& note) {
+std::string card(const std::string& heading, const std::vector<Utilisation>& bars, const std::string& note) {
   if (bars.empty()) return "";
   std::string all;
-  for (const UtilisationBar& one : bars) all += bar(one);
+  for (const Utilisation& one : bars) all += bar(one);
   return "<div class=\"card\"><h3>" + escape(heading) + "</h3>\n" + all + "<p class=\"small\">" + escape(note) +
          "</p></div>\n";
 }
 
-std::string utilisation_card(const StaticResults& statics, const CheckTable& checks, const FrontPage& page) {
-  std::vector<UtilisationBar> bars;
-  for (const CheckRegion region : check_regions()) {
-    if (const CheckRow* row = governing_check(checks, region)) bars.push_back(bar_of(statics, *row));
+/// Of rows on lines, anchors and cables: they have names of their own.
+std::string line_title(const CheckRow& row) {
+  static constexpr std::array<std::pair<std::string_view, const char*>, 5> kTitles = {
+      {{"mooring_load", "Mooring lines"},
+       {"mooring_working_load", "Working load"},
+       {"anchor_load", "Anchors"},
+       {"cable_load", "Cable"},
+       {"line_load", "Lines"}}};
+  for (const auto& [id, title] : kTitles) {
+    if (row.id == id) return title;
   }
-  bars.insert(bars.end(), page.more.begin(), page.more.end());
+  return "";
+}
+
+/// A bar for each governing and judged check on lines, anchors and cables.
+std::vector<Utilisation> line_bars(const CheckTable& checks) {
+  std::vector<Utilisation> bars;
+  for (const CheckRow& row : checks.rows) {
+    const std::string title = line_title(row);
+    if (!title.empty() && row.governing && row.judged()) bars.push_back({title, row.utilisation, row.remark});
+  }
+  return bars;
+}
+
+constexpr const char* kCapacity = "The mark on the bar is the full capacity, with its safety factor. ";
+
+std::string utilisation_card(const StaticResults& statics, const CheckTable& checks, const FrontPage& page) {
+  std::vector<Utilisation> bars;
+  for (const CheckRegion region : check_regions()) {
+    const CheckRow* row = governing_check(checks, region);
+    if (row != nullptr && line_title(*row).empty()) bars.push_back(bar_of(statics, *row));
+  }
+  const std::vector<Utilisation> lines = line_bars(checks);
+  bars.insert(bars.end(), lines.begin(), lines.end());
   return card("Utilisation, governing check of each region", bars,
-              "The mark on the bar is the full capacity. " + page.reach +
-                  " The formulas have not been compared with the printed standards.");
+              kCapacity + page.reach + " The formulas have not been compared with the printed standards.");
 }
 
 std::string verdict_section(const Verdict& verdict, const std::string& utilisations) {
@@ -82,36 +117,33 @@ std::string verdict_section(const Verdict& verdict, const std::string& utilisati
 
 std::string laid_out(const FrontPage& page, const std::string& verdict, const std::string& rest) {
   return "<div class=\"front\">\n" + title_block(page.kind, page.title, page.entries, control_box(page.control)) +
-         verdict + warnings_section(page.warnings) + contents(rest) + "</div>\n<div class=\"sections\">\n" + rest +
+         verdict + findings_section(page.findings) + contents(rest) + "</div>\n<div class=\"sections\">\n" + rest +
          "</div>\n";
 }
 
-std::string lower(const char* text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return std::tolower(c); });
-  return out;
-}
-
-std::string warning_list(const std::vector<WeighedWarning>& warnings) {
+std::string finding_list(std::span<const Finding> findings) {
   std::string items;
-  for (const WeighedWarning& warning : warnings) {
-    items += fmt::format("<li class=\"{}\"><b>{}</b> {}</li>\n", lower(word(warning.weight)), word(warning.weight),
-                         escape(warning.text));
+  for (const Finding& finding : findings) {
+    const std::string severity = name(finding.severity());
+    items += fmt::format("<li class=\"{}\"><b>{}</b> {} <span class=\"code\">{}</span></li>\n", severity,
+                         upper_first(severity), escape(upper_first(finding.message)), kind(finding.code).name);
   }
   return "<ul>\n" + items + "</ul>\n";
 }
 
 }  // namespace
 
-std::string warnings_section(const std::vector<WeighedWarning>& warnings) {
+std::string findings_section(const Findings& findings) {
   constexpr std::size_t kShown = 6;  // more would push the contents off the first page
-  if (warnings.empty()) return "";
-  const auto cut = warnings.begin() + static_cast<std::ptrdiff_t>(std::min(warnings.size(), kShown));
-  std::string body = warning_list({warnings.begin(), cut});
-  if (cut != warnings.end()) {
-    body += html::folded(fmt::format("{} more", warnings.end() - cut), warning_list({cut, warnings.end()}));
+  if (findings.empty()) return "";
+  const Findings sorted = sorted_by_severity(findings);
+  const std::size_t shown = std::min(sorted.size(), kShown);
+  const std::span<const Finding> all(sorted);
+  std::string body = finding_list(all.first(shown));
+  if (shown < sorted.size()) {
+    body += html::folded(fmt::format("{} more", sorted.size() - shown), finding_list(all.subspan(shown)));
   }
-  return "<section id=\"warnings\" class=\"warnings\">\n<h2>Warnings</h2>\n" + body + "</section>\n";
+  return "<section id=\"findings\" class=\"findings\">\n<h2>Findings</h2>\n" + body + "</section>\n";
 }
 
 std::string contents(const std::string& sections) {
@@ -129,13 +161,19 @@ std::string contents(const std::string& sections) {
 
 std::string front_page(const FrontPage& page, const StaticResults& statics, const CheckTable& checks,
                        const std::string& rest) {
-  return laid_out(page, verdict_section(verdict_of(checks, page.warnings), utilisation_card(statics, checks, page)),
+  return laid_out(page, verdict_section(make_verdict(checks, page.findings), utilisation_card(statics, checks, page)),
                   rest);
 }
 
-std::string front_page(const FrontPage& page, const Verdict& verdict, const std::string& note,
-                       const std::string& rest) {
-  return laid_out(page, verdict_section(verdict, card("Utilisation", page.more, page.reach + " " + note)), rest);
+std::string front_page(const FrontPage& page, const CheckTable& checks, const std::string& rest) {
+  return front_page(page, make_verdict(checks, page.findings), line_bars(checks), kCapacity, rest);
+}
+
+std::string front_page(const FrontPage& page, const Verdict& verdict, const std::vector<Utilisation>& bars,
+                       const std::string& note, const std::string& rest) {
+  const std::string reach = "<p class=\"small\">" + escape(page.reach) + "</p>\n";
+  return laid_out(page, verdict_section(verdict, bars.empty() ? reach : card("Utilisation", bars, note + page.reach)),
+                  rest);
 }
 
 }  // namespace overbend

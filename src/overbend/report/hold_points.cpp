@@ -8,7 +8,7 @@
 
 #include "report/places.h"
 #include "report/stage_words.h"
-#include "report/verdict.h"
+#include "results/verdict.h"
 
 namespace overbend {
 namespace {
@@ -85,10 +85,6 @@ std::optional<StageUse> largest_use(const StageResult& stage) {
   if (!stage.lay) return std::nullopt;
   std::optional<StageUse> use;
   if (const CheckRow* worst = worst_check(stage.lay->checks)) use = {worst->utilisation, check_words(*worst)};
-  const std::optional<CableResult>& cable = stage.lay->cable;
-  if (cable && cable->utilisation && (!use || *cable->utilisation > use->utilisation)) {
-    use = {*cable->utilisation, "cable, largest tension over breaking load"};
-  }
   return use;
 }
 

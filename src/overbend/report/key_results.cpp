@@ -138,8 +138,8 @@ std::vector<std::pair<std::string, std::string>> subject_entries(const StaticRes
           {"Method", results.supports.empty() ? "J-lay" : "S-lay"}};
 }
 
-std::string status_words(const std::string& state, std::size_t warnings) {
-  return warnings == 0 ? state : fmt::format("{}, {} warning{}", state, warnings, warnings == 1 ? "" : "s");
+std::string status_words(const std::string& state, std::size_t findings) {
+  return findings == 0 ? state : fmt::format("{}, {} finding{}", state, findings, findings == 1 ? "" : "s");
 }
 
 std::string key_results(const StaticResults& results, const std::string& id, const std::string& heading) {

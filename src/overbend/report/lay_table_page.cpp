@@ -36,7 +36,7 @@ html::Head head_of(const std::string& heading, bool text) {
   return {heading.substr(0, unit), heading.substr(unit + 2, heading.size() - unit - 3), text};
 }
 
-/// Serious warnings are too long for a cell: they stand below the table.
+/// Serious findings are too long for a cell: they stand below the table.
 std::string short_remark(const LayTableRow& row) {
   return row.serious.empty() ? row.reason : row.reason + (row.reason.empty() ? "*" : " *");
 }
@@ -47,7 +47,7 @@ std::string serious_remarks(const LayTable& table) {
   for (const LayTableRow& row : table.rows) {
     if (row.serious.empty()) continue;
     std::string text = fmt::format("{} {}: ", html::fixed(row.varied * unit.factor, 1), unit.name);
-    for (const std::string& warning : row.serious) text += warning + (&warning == &row.serious.back() ? "." : "; ");
+    for (const Finding& finding : row.serious) text += finding.message + (&finding == &row.serious.back() ? "." : "; ");
     list.push_back(std::move(text));
   }
   return list.empty() ? "" : "<h3>Remarks on rows marked *</h3>\n" + html::list(list);
@@ -64,7 +64,7 @@ std::string columns_table(const LayTable& table, const DataTable& data, const st
       const bool remark = i + 1 == data.columns.size();
       cells.push_back(remark ? short_remark(table.rows[r]) : shown(data.rows[r][i], data.columns[i].digits));
     }
-    const bool passed = table.rows[r].lay && table.rows[r].lay->passed;
+    const bool passed = table.rows[r].lay && table.rows[r].lay->passed();
     out.row(cells, passed ? "" : "over");
   }
   return out.str();
@@ -104,7 +104,7 @@ std::string varied_words(const LayTable& table, const LayTableRow& row) {
 }
 
 /// What the table says, in sentences.
-std::string findings(const LayTable& table) {
+std::string summary_section(const LayTable& table) {
   std::vector<std::string> list;
   const char* what = table.vary == LayTableVary::tension    ? "tension"
                      : table.vary == LayTableVary::lay_back ? "lay-back"
@@ -120,10 +120,10 @@ std::string findings(const LayTable& table) {
   for (const LayTableRow& row : table.rows) {
     if (row.kind != LayRowKind::step) continue;
     ++asked;
-    if (row.lay && row.lay->passed) ++passed;
+    if (row.lay && row.lay->passed()) ++passed;
   }
   list.push_back(fmt::format("{} of {} rows pass every governing check.", passed, asked));
-  return html::section("findings", "Findings", html::list(list));
+  return html::section("summary", "Summary", html::list(list));
 }
 
 std::string figures() {
@@ -140,14 +140,13 @@ std::string figures() {
 }  // namespace
 
 std::string lay_table_html(const LayTable& table, const std::string& model_text) {
-  const std::vector<WeighedWarning> warnings = weighed(table.warnings);
   const std::vector<std::pair<std::string, std::string>> entries = {
       {"Rows", std::to_string(table.rows.size())},
-      {"Status", status_words("completed", warnings.size())},
+      {"Status", status_words("completed", table.findings.size())},
       {"Program", "Overbend " + table.version},
       {"Written", written_now()}};
-  const std::string body = title_block("Lay table", table.title, entries) + findings(table) +
-                           warnings_section(warnings) + figures() + rows_section(table) +
+  const std::string body = title_block("Lay table", table.title, entries) + summary_section(table) +
+                           findings_section(table.findings) + figures() + rows_section(table) +
                            assumptions_section(table.assumptions) + model_text_section(model_text);
   const Json data = {{"lay_table", lay_table_curves(table)}};
   return lay_table_frame(table.title + " - lay table", body, json_text(data));

@@ -7,7 +7,6 @@
 #include "report/front_of.h"
 #include "report/html.h"
 #include "report/line_data.h"
-#include "report/mooring_verdict.h"
 #include "report/page.h"
 #include "report/quantity.h"
 #include "report/report.h"
@@ -118,10 +117,9 @@ std::string figures(const LinesResults& results) {
 
 FrontPage lines_front(const LinesResults& results, const std::optional<Description>& description) {
   FrontPage front = front_of(results.moved ? "Dynamic analysis of lines" : "Static analysis of lines", results.title,
-                             description, results.warnings);
+                             description, results.findings);
   front.reach =
       results.moved ? "Maxima of a single run of " + duration_words(duration_of(results)) + "." : "Static state only.";
-  front.more = line_bars(results);
   front.entries.emplace_back("Lines", std::to_string(results.lines.size()));
   if (results.moved) {
     if (description) front.entries.emplace_back("Sea", sea_words(description->environment.waves));
@@ -129,7 +127,7 @@ FrontPage lines_front(const LinesResults& results, const std::optional<Descripti
                                                duration_words(build_up_of(results)));
     front.entries.emplace_back("Energy drift", fixed(100.0 * results.energy_drift, 4) + " %");
   }
-  front.entries.emplace_back("Status", status_words(results.moved ? "completed" : "converged", front.warnings.size()));
+  front.entries.emplace_back("Status", status_words(results.moved ? "completed" : "converged", front.findings.size()));
   front.entries.emplace_back("Program", "Overbend " + results.version);
   front.entries.emplace_back("Written", written_now());
   return front;
@@ -144,9 +142,7 @@ std::string report_html(const LinesResults& results, const std::string& model_te
       (description ? inputs_section(*description) : "") + assumptions_section(results.assumptions) +
       model_text_section(model_text);
   const FrontPage front = lines_front(results, description);
-  return page_without_pipe(results.title + " - analysis of lines",
-                           front_page(front, load_verdict(front.more, front.warnings),
-                                      "The mark on the bar is the breaking load, without safety factors.", rest),
+  return page_without_pipe(results.title + " - analysis of lines", front_page(front, results.checks, rest),
                            report_data(results, description));
 }
 

@@ -8,7 +8,6 @@
 #include "report/hull_section.h"
 #include "report/moored_dynamics_section.h"
 #include "report/moored_report.h"
-#include "report/mooring_verdict.h"
 #include "report/moorings_section.h"
 #include "report/page.h"
 #include "report/quantity.h"
@@ -16,12 +15,10 @@
 #include "report/report_data.h"
 #include "report/sea_words.h"
 #include "report/sections.h"
-#include "results/warnings.h"
+#include "results/findings.h"
 
 namespace overbend {
 namespace {
-
-constexpr const char* kBarNote = "The mark on the bar is the full capacity, without safety factors.";
 
 void add_subject(const MooringResults& results, const std::optional<Description>& description, FrontPage& front) {
   if (description) front.entries.emplace_back("Vessel", description->vessel.name);
@@ -29,15 +26,14 @@ void add_subject(const MooringResults& results, const std::optional<Description>
 }
 
 void add_closing(const MooringResults& results, const std::string& status, FrontPage& front) {
-  front.entries.emplace_back("Status", status_words(status, front.warnings.size()));
+  front.entries.emplace_back("Status", status_words(status, front.findings.size()));
   front.entries.emplace_back("Program", "Overbend " + results.version);
   front.entries.emplace_back("Written", written_now());
 }
 
 FrontPage moored_front(const MooringResults& results, const std::optional<Description>& description) {
-  FrontPage front = front_of("Mooring analysis", results.title, description, results.warnings);
+  FrontPage front = front_of("Mooring analysis", results.title, description, results.findings);
   front.reach = "Static states only: the effect of waves needs a dynamic analysis.";
-  front.more = mooring_bars(results, working_load_of(description));
   add_subject(results, description, front);
   add_closing(results, "converged", front);
   return front;
@@ -46,9 +42,8 @@ FrontPage moored_front(const MooringResults& results, const std::optional<Descri
 FrontPage front_in_time(const StaticResults& statics, const DynamicResults& results,
                         const std::optional<Description>& description) {
   const MooringResults& rest = *statics.moorings;
-  FrontPage front = front_of("Dynamic mooring analysis", rest.title, description, all_warnings(statics, results));
+  FrontPage front = front_of("Dynamic mooring analysis", rest.title, description, all_findings(statics, results));
   front.reach = "Maxima of a single run of " + duration_words(results.duration) + ".";
-  front.more = mooring_bars(results.moorings, working_load_of(description));
   add_subject(rest, description, front);
   add_run_entries(results, description, front.entries);
   add_closing(rest, "completed", front);
@@ -80,8 +75,7 @@ std::string report_html(const MooringResults& results, const std::string& model_
                            (description ? inputs_section(*description) : "") +
                            assumptions_section(results.assumptions) + model_text_section(model_text);
   const FrontPage front = moored_front(results, description);
-  return page_without_pipe(results.title + " - mooring analysis",
-                           front_page(front, load_verdict(front.more, front.warnings), kBarNote, rest),
+  return page_without_pipe(results.title + " - mooring analysis", front_page(front, results.checks, rest),
                            report_data(results, nullptr, description));
 }
 
@@ -100,8 +94,7 @@ std::string moored_report_in_time(const StaticResults& statics, const DynamicRes
                               dynamic_run_section(results) + model_text_section(model_text);
   const FrontPage front = front_in_time(statics, results, description);
   return page_without_pipe(rest.title + " - dynamic mooring analysis",
-                           front_page(front, load_verdict(front.more, front.warnings), kBarNote,
-                                      moved + figures + statistics + before + closing),
+                           front_page(front, results.checks, moved + figures + statistics + before + closing),
                            report_data(rest, &results, description));
 }
 

@@ -14,6 +14,7 @@
 #include "report/stage_words.h"
 #include "report/stages_data.h"
 #include "report/stages_section.h"
+#include "results/findings.h"
 
 namespace overbend {
 namespace {
@@ -72,9 +73,8 @@ FrontPage front_of_operation(const OperationResults& results, const std::optiona
                              const StaticResults* lay) {
   FrontPage front =
       front_of(operation_title(results.type) + " of a pipeline, static analysis", results.title, description, {});
-  front.warnings = operation_warnings(results);
+  front.findings = operation_findings(results);
   front.reach = "Static states of all stages: the effect of waves needs a dynamic analysis of the stage.";
-  front.more = operation_bars(results);
   if (lay != nullptr) front.entries = subject_entries(*lay);
   front.entries.emplace_back("Stages", std::to_string(results.stages.size()));
   front.entries.emplace_back("Program", "Overbend " + results.version);
@@ -94,9 +94,9 @@ std::string operation_report_html(const OperationResults& results, const std::st
                            assumptions_section(all_assumptions(results)) + model_text_section(model_text);
   const FrontPage front = front_of_operation(results, description, lay);
   return operation_page(results.title + " - " + operation_title(results.type),
-                        front_page(front, operation_verdict(results, front.warnings),
+                        front_page(front, verdict_with_stage(results), operation_bars(results),
                                    "The mark on the bar is the full capacity. The formulas have not been compared with "
-                                   "the printed standards.",
+                                   "the printed standards. ",
                                    rest),
                         stages_data(results, description));
 }

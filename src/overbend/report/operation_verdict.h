@@ -3,19 +3,17 @@
 
 #include <vector>
 
+#include "base/finding.h"
 #include "report/front_page.h"
-#include "report/verdict.h"
 #include "results/operation_results.h"
+#include "results/verdict.h"
 
 namespace overbend {
 
-/// Exceeded where a stage cannot be, or a check or the cable is beyond its capacity at any; says at which stage.
-Verdict operation_verdict(const OperationResults& results, const std::vector<WeighedWarning>& warnings);
+/// The verdict of all stages; says at which stage the largest utilisation is.
+Verdict verdict_with_stage(const OperationResults& results);
 
-/// The governing check of each region over all stages, and the cable, each with its stage.
-std::vector<UtilisationBar> operation_bars(const OperationResults& results);
-
-/// Failed stages first, then the warnings of the operation and of its stages, each once with the stages that have it.
-std::vector<WeighedWarning> operation_warnings(const OperationResults& results);
+/// The governing check of each region over all stages, each with its stage.
+std::vector<Utilisation> operation_bars(const OperationResults& results);
 
 }  // namespace overbend

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "checks/mooring_rows.h"
 #include "report/hold_points.h"
 #include "report/html.h"
 #include "report/places.h"
@@ -28,12 +29,14 @@ std::optional<double> tension_of(const StageResult& stage) {
   return stage.lay ? std::optional(stage.lay->top_tension) : std::nullopt;
 }
 
-/// What limits the tension from above: the cable's breaking load, used to what the operation allows.
+/// What limits the tension from above: the cable's breaking load over its safety factor, used to what the operation
+/// allows.
 std::optional<double> cable_limit(const std::optional<Description>& description) {
   if (!description) return std::nullopt;
   const LayOperationDescription& lay = description->operation.lay;
   if (!lay.cable || !lay.cable->breaking_load) return std::nullopt;
-  return *lay.cable->breaking_load * (lay.program ? lay.program->limits.utilisation : 1.0);
+  const double factor = cable_safety_factor(description->checks.safety_factors).value;
+  return *lay.cable->breaking_load / factor * (lay.program ? lay.program->limits.utilisation : 1.0);
 }
 
 std::string hold_words(const HoldPoint& point, const std::string& progress) {
@@ -154,10 +157,11 @@ std::string abort_list(const OperationResults& results, const std::optional<Desc
   std::vector<std::string> reasons;
   add_steps_to_avoid(results, reasons);
   if (const std::optional<double> most = cable_limit(description)) {
+    const SafetyFactor factor = cable_safety_factor(description->checks.safety_factors);
     reasons.push_back(fmt::format(
-        "Tension of the cable above {} kN: its breaking load times the utilisation that the model allows, without any "
-        "further safety factor.",
-        kilo(*most)));
+        "Tension of the cable above {} kN: its breaking load of {} kN over a safety factor of {:.3g} ({}){}.",
+        kilo(*most), kilo(*description->operation.lay.cable->breaking_load), factor.value, factor.source,
+        description->operation.lay.program ? ", times the utilisation that the model allows" : ""));
   }
   if (description && description->operation.lay.program) {
     add_limits(description->operation.lay.program->limits, reasons);
@@ -202,7 +206,8 @@ std::string procedure_section(const OperationResults& results, const std::option
       "<p>" + html::escape(subject) + "</p>\n" + signatures(description) + step_table(results, description) +
           "<p class=\"small\">Values at the end of each step, at rest: motions of the vessel add to them. Astern: of "
           "the stern shoe; barge ahead: from its place at step 1. Not below: least tension found for the limits; not "
-          "above: breaking load of the cable times the utilisation that the model allows. Hold before: pause, compare "
+          "above: breaking load of the cable over its safety factor, times the utilisation that the model allows. Hold "
+          "before: pause, compare "
           "length, tension and place with the sheet, then "
           "go on.</p>\n" +
           abort_list(results, description));

@@ -13,7 +13,6 @@
 #include "report/hull_section.h"
 #include "report/moored_dynamics_section.h"
 #include "report/moored_report.h"
-#include "report/mooring_verdict.h"
 #include "report/moorings_section.h"
 #include "report/page.h"
 #include "report/quantity.h"
@@ -22,7 +21,7 @@
 #include "report/seek_section.h"
 #include "report/sensitivity_section.h"
 #include "report/stinger_section.h"
-#include "results/warnings.h"
+#include "results/findings.h"
 
 namespace overbend {
 namespace {
@@ -70,11 +69,10 @@ std::string report_html(const StaticResults& results, const std::string& model_t
                            inputs_section(results, description, nullptr) + assumptions_section(results.assumptions) +
                            rollers_section(results) + check_inputs_section(results.checks) + balance_section(results) +
                            model_text_section(model_text);
-  FrontPage front = front_of("Static pipelay analysis", results.title, description, results.warnings);
+  FrontPage front = front_of("Static pipelay analysis", results.title, description, results.findings);
   front.reach = "Checks of the static state only: the effect of waves needs a dynamic analysis.";
-  if (results.moorings) front.more = mooring_bars(*results.moorings, working_load_of(description));
   front.entries = subject_entries(results);
-  front.entries.emplace_back("Status", status_words("converged", front.warnings.size()));
+  front.entries.emplace_back("Status", status_words("converged", front.findings.size()));
   front.entries.emplace_back("Program", "Overbend " + results.version);
   front.entries.emplace_back("Written", written_now());
   return whole_page(results.title + " - static analysis", front_page(front, results, results.checks, rest),
@@ -104,9 +102,8 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
                               check_inputs_section(results.checks) + dynamic_run_section(results) +
                               balance_section(statics) + model_text_section(model_text);
   const std::string rest = dynamic + before + closing;
-  FrontPage front = front_of("Dynamic pipelay analysis", statics.title, description, all_warnings(statics, results));
+  FrontPage front = front_of("Dynamic pipelay analysis", statics.title, description, all_findings(statics, results));
   front.reach = "Maxima of a single run of " + duration_words(results.duration) + ".";
-  front.more = mooring_bars(results.moorings, working_load_of(description));
   front.entries = dynamic_entries(statics, results, description, written_now());
   return whole_page(statics.title + " - dynamic analysis", front_page(front, statics, results.checks, rest),
                     report_data(statics, &results, description));

@@ -17,8 +17,8 @@ std::string title_block(const std::string& kind, const std::string& title,
                         const std::string& control = "");
 /// Pipe, vessel and location, for the title block.
 std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results);
-/// "converged", or "converged, 2 warnings": they are further down and must not be missed.
-std::string status_words(const std::string& state, std::size_t warnings);
+/// "converged", or "converged, 2 findings": they are further down and must not be missed.
+std::string status_words(const std::string& state, std::size_t findings);
 std::string key_results(const StaticResults& results, const std::string& id, const std::string& heading);
 /// Inputs as read by the program; without a description (a model text that cannot be read) what results tell.
 /// `dynamic`, not null for the report of a dynamic run, adds what applies only there.

@@ -12,9 +12,9 @@
 #include "report/quantity.h"
 #include "report/stage_columns.h"
 #include "report/stage_words.h"
-#include "report/verdict.h"
 #include "results/fields/result_field.h"
 #include "results/sagbend.h"
+#include "results/verdict.h"
 
 namespace overbend {
 namespace {

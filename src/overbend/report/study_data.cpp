@@ -7,6 +7,7 @@
 #include "report/json_number.h"
 #include "resultfiles/study_writer.h"
 
+#include "results/fields/words.h"
 namespace overbend {
 namespace {
 
@@ -33,7 +34,7 @@ Json outputs_json(const StudyResults& results) {
 
 const char* state_of(const StudyGroup& group) {
   if (group.done == 0) return group.failed > 0 ? "failed" : "open";
-  return group.passed ? "passed" : "exceeded";
+  return word(group.verdict);
 }
 
 Json group_json(const StudyResults& results, const StudyGroup& group) {

@@ -86,7 +86,6 @@ std::string kind_of(const StudyResults& results) {
 }  // namespace
 
 std::string study_html(const StudyResults& results) {
-  const std::vector<WeighedWarning> warnings = weighed(results.warnings);
   std::vector<std::pair<std::string, std::string>> entries;
   if (!results.cases.empty()) entries.emplace_back("Cases", std::to_string(results.cases.size()));
   if (results.operability) entries.emplace_back("Analyses of the chart", std::to_string(results.operability->runs));
@@ -96,8 +95,8 @@ std::string study_html(const StudyResults& results) {
   entries.emplace_back("Written", written_now());
   const std::string body =
       title_block(kind_of(results), results.title, entries) + (results.cases.empty() ? "" : study_verdict(results)) +
-      warnings_section(warnings) + study_inputs_section(results) + figures(results) + operability_section(results) +
-      study_extremes_section(results) + failed_cases_section(results) +
+      findings_section(results.findings) + study_inputs_section(results) + figures(results) +
+      operability_section(results) + study_extremes_section(results) + failed_cases_section(results) +
       (results.cases.empty() ? "" : study_cases_section(results)) + assumptions_section(results.assumptions);
   const Json data = {{"study", study_data(results)}};
   return study_frame(results.title + " - study", body, json_text(data));

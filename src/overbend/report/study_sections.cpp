@@ -8,6 +8,7 @@
 #include "report/html.h"
 #include "report/study_data.h"
 
+#include "results/fields/words.h"
 namespace overbend {
 namespace {
 
@@ -15,7 +16,14 @@ constexpr std::size_t kMostRows = 300;
 constexpr std::size_t kMostFailed = 100;
 
 struct Counts {
-  std::size_t passed = 0, exceeded = 0, failed = 0, open = 0;
+  std::size_t& of(VerdictKind kind) {
+    return kind == VerdictKind::passed     ? passed
+           : kind == VerdictKind::reserved ? reserved
+           : kind == VerdictKind::exceeded ? exceeded
+                                           : unjudged;
+  }
+
+  std::size_t passed = 0, reserved = 0, exceeded = 0, unjudged = 0, failed = 0, open = 0;
 };
 
 Counts counts_of(const StudyResults& results) {
@@ -26,7 +34,7 @@ Counts counts_of(const StudyResults& results) {
     } else if (one.state == StudyCaseState::failed) {
       ++counts.failed;
     } else {
-      ++(one.passed ? counts.passed : counts.exceeded);
+      ++counts.of(one.verdict);
     }
   }
   return counts;
@@ -51,7 +59,7 @@ std::string result_words(const StudyCase& one) {
     case StudyCaseState::failed:
       return "no result";
     default:
-      return one.passed ? is_checked(one) ? "passed" : "solved" : "exceeded";
+      return one.verdict == VerdictKind::reserved ? "reserved: " + serious_codes(one.findings) : word(one.verdict);
   }
 }
 
@@ -116,21 +124,21 @@ std::string workability_table(const Workability& workability) {
 std::string study_verdict(const StudyResults& results) {
   const Counts n = counts_of(results);
   const std::size_t all = results.cases.size();
-  const char* kind = n.exceeded > 0 ? "exceeded" : n.failed + n.open > 0 ? "reserved" : "passed";
+  const char* kind = n.exceeded > 0 ? "exceeded" : n.passed < all ? "reserved" : "passed";
   std::string because;
   if (n.exceeded > 0) because += counted(n.exceeded, "exceeds", "exceed") + " a governing check. ";
+  if (n.reserved > 0) {
+    because += counted(n.reserved, "passes", "pass") + " with reservations: see the serious findings below. ";
+  }
   if (n.failed > 0) because += counted(n.failed, "has", "have") + " no result; reasons are listed below. ";
   if (n.open > 0) because += counted(n.open, "has", "have") + " not been run yet.";
-  const bool unchecked = n.exceeded == 0 && without_checks(results);
-  if (unchecked) {
-    kind = "reserved";
-    because += (because.empty() ? "" : " ") + std::string("No code check is made of this model: nothing is judged.");
-  }
+  const bool unchecked = n.unjudged > 0 && n.unjudged + n.failed + n.open == all;
+  if (n.unjudged > 0) because += (because.empty() ? "" : " ") + counted(n.unjudged, "is", "are") + " not judged.";
   if (because.empty()) because = "Every case has a result with every governing check passed.";
   return fmt::format(
       "<div class=\"verdict {}\">\n<div class=\"words\">{} of {} cases {}</div>\n<div "
       "class=\"because\">{}</div>\n</div>\n",
-      kind, n.passed, all, unchecked ? "solved" : "pass", because);
+      kind, unchecked ? n.unjudged : n.passed, all, unchecked ? "solved" : "pass", because);
 }
 
 std::string study_inputs_section(const StudyResults& results) {
@@ -279,7 +287,7 @@ std::string study_cases_section(const StudyResults& results) {
       cells.push_back(value_words(results.outputs[k], one, k));
     }
     cells.push_back(result_words(one));
-    table.row(cells, one.state == StudyCaseState::open ? "soft" : one.passed ? "" : "over");
+    table.row(cells, one.state == StudyCaseState::open ? "soft" : one.passed() ? "" : "over");
   }
   std::string note = "The same rows are in study.csv, study.xlsx and study.h5.";
   if (results.cases.size() > kMostRows) {

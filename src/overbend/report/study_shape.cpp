@@ -26,13 +26,19 @@ void add_values(Growing& growing, const StudyCase& one) {
   }
 }
 
+/// In the order passed, reserved, not judged, exceeded.
+bool less_severe(VerdictKind a, VerdictKind b) {
+  constexpr std::array kRank = {0, 1, 3, 2};
+  return kRank[static_cast<std::size_t>(a)] < kRank[static_cast<std::size_t>(b)];
+}
+
 void add_case(Growing& growing, const StudyCase& one) {
   StudyGroup& group = growing.group;
   if (one.state == StudyCaseState::open) ++group.open;
   if (one.state == StudyCaseState::failed) ++group.failed;
   if (one.state != StudyCaseState::done) return;
   ++group.done;
-  group.passed = group.passed && one.passed;
+  group.verdict = std::max(group.verdict, one.verdict, less_severe);
   if (one.utilisation && (!group.utilisation || *one.utilisation > *group.utilisation)) {
     group.utilisation = one.utilisation;
     group.governing = one.governing;
@@ -70,7 +76,7 @@ std::vector<StudyGroup> study_groups(const StudyResults& results) {
     if (group.first == nullptr) {
       group.group = one.group;
       group.first = &one;
-      group.passed = true;
+      group.verdict = VerdictKind::passed;
       group.mean.resize(results.outputs.size());
       group.low = group.high = group.mean;
       growing.counts.resize(results.outputs.size());
@@ -80,7 +86,7 @@ std::vector<StudyGroup> study_groups(const StudyResults& results) {
   std::vector<StudyGroup> groups;
   for (auto& [number, growing] : by_number) {
     StudyGroup& group = growing.group;
-    group.passed = group.passed && group.done > 0 && group.failed == 0 && group.open == 0;
+    if (group.done == 0 || group.failed > 0 || group.open > 0) group.verdict = VerdictKind::not_judged;
     for (std::size_t i = 0; i < group.mean.size(); ++i) {
       if (group.mean[i]) *group.mean[i] /= growing.counts[i];
     }

@@ -24,9 +24,9 @@ struct StudyGroup {
   const StudyCase* first = nullptr;                    ///< Of all its cases.
   std::vector<std::optional<double>> mean, low, high;  ///< Of every output over the finished cases.
   int done = 0, failed = 0, open = 0;
-  bool passed = false;                ///< Every case of it is done and passed.
-  std::string governing;              ///< Check with the largest utilisation of its cases,
-  std::optional<double> utilisation;  ///< and that.
+  VerdictKind verdict = VerdictKind::not_judged;  ///< The worst of its cases; not judged where one is not done.
+  std::string governing;                          ///< Check with the largest utilisation of its cases,
+  std::optional<double> utilisation;              ///< and that.
 };
 
 /// In their order.

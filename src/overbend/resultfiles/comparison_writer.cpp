@@ -40,7 +40,8 @@ void require_finite_values(const Comparison& comparison) {
 Json run_json(const ComparedRun& run, const std::vector<SeedQuantity>& quantities) {
   Json json = {{"name", run.name}, {"words", run.words}};
   for (std::size_t i = 0; i < quantities.size(); ++i) json[quantities[i].name] = run.values.at(i);
-  json["warnings"] = run.results.warnings;
+  json["warnings"] = messages(run.results.findings);
+  json["findings"] = findings_json(run.results.findings);
   return json;
 }
 

@@ -8,12 +8,13 @@
 
 #include "resultfiles/csv_fields.h"
 #include "results/fields/result_field.h"
+#include "results/verdict.h"
 
 namespace overbend {
 
-/// Whether something holds, in words: shown in a colour where the file has any.
+/// A verdict: shown in a colour where the file has any.
 struct VerdictCell {
-  bool good = false;
+  VerdictKind kind = VerdictKind::not_judged;
   std::string text;
 };
 

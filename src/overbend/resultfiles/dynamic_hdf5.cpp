@@ -150,7 +150,6 @@ void write_pipe_in_time(Hdf5Writer& file, const StaticResults& statics, const Dy
   }
   write_fatigue(file, dynamics);
   if (!dynamics.design.load.empty()) write_design(file, dynamics.design);
-  write_checks(file, "/dynamic/checks", dynamics.checks);
 }
 
 void write_groups_at_rest(Hdf5Writer& file, const StaticResults& statics, const Description& description) {
@@ -177,6 +176,7 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
   if (statics.has_pipe()) write_pipe_in_time(file, statics, dynamics);
   write_rows(file, "/dynamic/extremes", "Most probable largest or smallest values in three hours", dynamics.extremes,
              extremes);
+  write_checks(file, "/dynamic/checks", dynamics.checks);
   write_moored_dynamics(file, dynamics);
   write_summaries(file, dynamics.histories);
   write_spectra(file, dynamics.spectra);

@@ -106,7 +106,6 @@ void read_pipe_in_time(const Hdf5Reader& file, DynamicResults& results) {
   }
   read_fatigue(file, results);
   results.design = read_design(file);
-  results.checks = read_checks(file, "/dynamic/checks");
 }
 
 DynamicResults read_dynamics(const Hdf5Reader& file, bool pipe) {
@@ -123,6 +122,7 @@ DynamicResults read_dynamics(const Hdf5Reader& file, bool pipe) {
   visit.group = "/dynamic/run";
   visit_dynamic_run(results.run, visit);
   read_rows(file, "/dynamic/extremes", results.extremes, [](auto& row, auto& t) { visit_estimate(row, t); });
+  results.checks = read_checks(file, "/dynamic/checks");
   read_moored_dynamics(file, results);
   read_summaries(file, results.histories);
   read_spectra(file, results.spectra);

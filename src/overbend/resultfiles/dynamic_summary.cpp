@@ -2,6 +2,8 @@
 #include "resultfiles/dynamic_writer.h"
 #include "resultfiles/summary_fields.h"
 #include "resultfiles/summary_json.h"
+#include "results/findings.h"
+#include "results/verdict.h"
 
 namespace overbend {
 
@@ -9,6 +11,7 @@ Json dynamic_summary_json(const StaticResults& statics, const DynamicResults& re
   if (!statics.has_pipe()) return moored_dynamic_summary_json(*statics.moorings, results);
   Json summary = static_summary_json(statics);
   summary["dynamic"] = dynamic_part(SummaryStyle{}, statics, results);
+  summary["dynamic"]["verdict"] = verdict_json(make_verdict(results.checks, all_findings(statics, results)));
   add_moored_dynamics(results, summary);
   add_stinger_dynamics(results, summary);
   add_fatigue(results, summary);

@@ -40,20 +40,19 @@ void add_words(CsvTable& table, const std::string& section, const std::string& n
 
 }  // namespace
 
-std::vector<PartialWarning> partial_warnings(const FolderComparison& comparison) {
-  std::vector<PartialWarning> all;
+std::vector<PartialFinding> partial_findings(const FolderComparison& comparison) {
+  std::vector<PartialFinding> all;
   const std::size_t count = comparison.folders.size();
   for (std::size_t i = 0; i < count; ++i) {
-    for (const std::string& text : comparison.folders[i].warnings) {
-      auto at = std::ranges::find(all, text, &PartialWarning::text);
-      if (at == all.end()) {
-        all.push_back({text, std::vector<bool>(count)});
-        at = std::prev(all.end());
-      }
-      at->has[i] = true;
+    for (const Finding& finding : comparison.folders[i].findings) {
+      auto known = std::ranges::find_if(all, [&](const PartialFinding& other) {
+        return other.finding.code == finding.code && other.finding.object == finding.object;
+      });
+      if (known == all.end()) known = all.insert(known, {finding, std::vector<bool>(count)});
+      known->has[i] = true;
     }
   }
-  std::erase_if(all, [](const PartialWarning& one) { return std::ranges::find(one.has, false) == one.has.end(); });
+  std::erase_if(all, [](const PartialFinding& one) { return std::ranges::find(one.has, false) == one.has.end(); });
   return all;
 }
 
@@ -69,10 +68,10 @@ std::string folder_comparison_table(const FolderComparison& comparison) {
   add_words(table, "program", "version", versions);
   for (const ComparedKey& key : comparison.keys) add_words(table, "input", key.key, key.values);
   for (const ComparedResult& result : comparison.results) add_result(table, result);
-  for (const PartialWarning& warning : partial_warnings(comparison)) {
+  for (const PartialFinding& partial : partial_findings(comparison)) {
     std::vector<std::string> has;
-    for (const bool one : warning.has) has.emplace_back(one ? "yes" : "no");
-    add_words(table, "warning", warning.text, has);
+    for (const bool one : partial.has) has.emplace_back(one ? "yes" : "no");
+    add_words(table, "finding", partial.finding.message, has);
   }
   return table.text();
 }

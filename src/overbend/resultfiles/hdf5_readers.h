@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/finding.h"
 #include "resultfiles/hdf5_file.h"
 #include "results/static_results.h"
 
@@ -34,6 +35,15 @@ struct ValueReader {
   void operator()(const ResultField& f, std::uint64_t& value) const { value = file.seed(path(f)); }
   void operator()(const ResultField& f, std::string& value) const { value = element(file.texts(path(f)), 0, path(f)); }
   void operator()(const ResultField& f, std::vector<std::string>& values) const { values = file.texts(path(f)); }
+  void operator()(const ResultField& f, Findings& values) const {
+    values.clear();
+    if (file.has(path(f))) {
+      for (const std::string& text : file.texts(path(f))) values.push_back(read_finding(read_json(text)));
+    } else if (file.has(group + "/warnings")) {  // of a version that had messages alone
+      for (std::string& text : file.texts(group + "/warnings"))
+        values.push_back({FindingCode::unknown, std::move(text)});
+    }
+  }
   void operator()(const ResultField& f, std::optional<double>& value) const {
     if (file.has(path(f))) value = element(file.doubles(path(f)), 0, path(f));
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/finding.h"
 #include "model/description.h"
 #include "resultfiles/dataset_sink.h"
 
@@ -29,6 +30,13 @@ struct ValueWriter {
   }
   void operator()(const ResultField& field, const std::vector<std::string>& values) {
     file.write(path(field), field, values, {values.size()});
+  }
+  /// Each as a JSON text; their messages alone as "warnings".
+  void operator()(const ResultField& field, const Findings& values) {
+    std::vector<std::string> texts;
+    for (const Finding& finding : values) texts.push_back(json_text(finding_json(finding)));
+    (*this)(field, texts);
+    (*this)(ResultField{"warnings", "1", "Messages of the findings"}, messages(values));
   }
   void operator()(const ResultField& field, const std::optional<double>& value) {
     if (value) (*this)(field, *value);  // absent where it does not apply: no stinger, no clearance

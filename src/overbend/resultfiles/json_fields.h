@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/finding.h"
 #include "base/json.h"
 #include "results/dynamic_results.h"
 #include "results/fields/result_field.h"
@@ -27,6 +28,7 @@ struct ValueStyle {
 
   Json text(const std::string& value) const { return value; }
   Json texts(const std::vector<std::string>& values) const { return values; }
+  Json findings(const Findings& values) const { return findings_json(values); }
   Json flag(bool value) const { return value; }
   template <class Integer>
   Json count(Integer value) const {
@@ -88,6 +90,11 @@ class JsonWriter {
   }
   void operator()(const ResultField& f, const std::vector<std::string>& values) {
     put(f, [&] { return style_.texts(values); });
+  }
+  /// summary.json has their messages under "warnings" as well, for scripts.
+  void operator()(const ResultField& f, const Findings& values) {
+    if (Style::kOutput == Output::summary) slot("warnings") = style_.texts(messages(values));
+    put(f, [&] { return style_.findings(values); });
   }
   template <HasResultWords Enum>
   void operator()(const ResultField& f, Enum value) {

@@ -34,7 +34,7 @@ std::vector<TableCell> cells_of(const LayTable& table, const LayTableRow& row) {
     const LayTableValues none;
     visit_lay_table_values(none, empty);
   }
-  cells.emplace_back(VerdictCell{row.lay && row.lay->passed, lay_verdict(row)});
+  cells.emplace_back(VerdictCell{row.lay ? row.lay->verdict : VerdictKind::exceeded, lay_verdict(row)});
   cells.emplace_back(remark_of(row));
   return cells;
 }
@@ -73,7 +73,7 @@ Json row_json(const LayTable& table, const LayTableRow& row) {
 
 std::string lay_verdict(const LayTableRow& row) {
   if (!row.lay) return "no lay";
-  return row.lay->passed ? "passed" : "exceeded";
+  return word(row.lay->verdict);
 }
 
 DataTable lay_table_data(const LayTable& table) {
@@ -102,7 +102,7 @@ void write_lay_table_groups(DatasetSink& file, const LayTable& table) {
       NoLay visit{rows};
       visit_lay_table_values(none, visit);
     }
-    rows(ResultField{"verdict", "1", "passed, exceeded, or no lay"}, lay_verdict(row));
+    rows(ResultField{"verdict", "1", "passed, reserved, exceeded, or no lay"}, lay_verdict(row));
     rows(ResultField{"reason", "1", "Why there is no lay, what is exceeded, or what ends the range"}, remark_of(row));
     rows.end_row();
   }
@@ -118,9 +118,13 @@ std::string lay_table_summary(const LayTable& table) {
   part["rows"] = rows;
   part["solves"] = table.solves;
   part["wall_time"] = table.wall_time;
-  const Json summary = {{"status", "completed"},      {"title", table.title},
-                        {"version", table.version},   {"assumptions", table.assumptions},
-                        {"warnings", table.warnings}, {"units", "SI: m, N, Pa, rad, s; angles from horizontal"},
+  const Json summary = {{"status", "completed"},
+                        {"title", table.title},
+                        {"version", table.version},
+                        {"assumptions", table.assumptions},
+                        {"warnings", messages(table.findings)},
+                        {"findings", findings_json(table.findings)},
+                        {"units", "SI: m, N, Pa, rad, s; angles from horizontal"},
                         {"lay_table", part}};
   return summary_text(summary);
 }

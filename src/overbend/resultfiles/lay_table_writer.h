@@ -13,7 +13,7 @@ namespace overbend {
 /// Rows and columns as lay-table.csv and lay-table.xlsx have them.
 DataTable lay_table_data(const LayTable& table);
 
-/// The verdict on a row: "passed", "exceeded", "no lay".
+/// The verdict on a row: "passed", "reserved", "exceeded", "not judged", "no lay".
 std::string lay_verdict(const LayTableRow& row);
 
 /// The rows as datasets of the group /lay_table; SI, NaN where a row has no lay.

@@ -1,5 +1,6 @@
 #include "resultfiles/lines_reader.h"
 
+#include "resultfiles/check_hdf5.h"
 #include "resultfiles/hdf5_readers.h"
 #include "results/fields/line_values.h"
 #include "results/fields/static_values.h"
@@ -44,6 +45,7 @@ StoredLines read_lines_results(const std::filesystem::path& h5) {
   LinesResults& results = stored.results;
   visit.group = "/lines";
   visit_heading(results, visit);
+  results.checks = read_checks(file, "/lines/checks");
   results.moved = file.has("/lines/time");
   if (results.moved) {
     visit_lines_run(results, visit);

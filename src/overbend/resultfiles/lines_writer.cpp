@@ -1,5 +1,6 @@
 #include "resultfiles/lines_writer.h"
 
+#include "resultfiles/check_hdf5.h"
 #include "resultfiles/csv_fields.h"
 #include "resultfiles/hdf5_file.h"
 #include "resultfiles/hdf5_visitors.h"
@@ -9,6 +10,7 @@
 #include "resultfiles/summary_json.h"
 #include "results/fields/line_values.h"
 #include "results/fields/static_values.h"
+#include "results/verdict.h"
 #include "runstore/append_file.h"
 
 namespace overbend {
@@ -68,6 +70,7 @@ void write_lines_hdf5(const LinesResults& results, const Description& descriptio
   Hdf5Writer file(path);
   write_results_heading(file, results.title, description);
   write_lines_groups(file, results);
+  write_checks(file, "/lines/checks", results.checks);
   file.close();
 }
 
@@ -79,6 +82,8 @@ JsonWriter<SummaryStyle> rest_json(const LinesResults& results) {
   visit_heading(results, json);
   json["units"] = "SI: m, N, Pa, rad, s; angles from horizontal";
   json["frame"] = kWorldFrame;
+  json["verdict"] = verdict_json(make_verdict(results.checks, results.findings));
+  json["checks"] = summary_checks(style, results.checks);
   json["static"] =
       Json{{"lines", style.rows(results.lines, [&](const LineResult& line) { return line_json(style, line); })}};
   return json;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "resultfiles/check_hdf5.h"
 #include "resultfiles/hdf5_readers.h"
 #include "resultfiles/hdf5_visitors.h"
 #include "results/fields/mooring_fields.h"
@@ -257,6 +258,7 @@ std::optional<MooringResults> read_moorings(const Hdf5Reader& file) {
   visit_operation(results, values);
   read_states(file, results);
   read_steps(file, results);
+  results.checks = read_checks(file, "/moorings/checks");
   TableReader winches(file, "/moorings/winches");
   results.winches.resize(winches.rows("index"));
   for (std::size_t i = 0; i < results.winches.size(); ++i) {
@@ -269,6 +271,7 @@ std::optional<MooringResults> read_moorings(const Hdf5Reader& file) {
 void write_mooring_groups(DatasetSink& file, const MooringResults& results, const Description& description) {
   write_results_heading(file, results.title, description);
   write_moorings(file, results);
+  write_checks(file, "/moorings/checks", results.checks);
   if (results.hull) write_hull(file, *results.hull);
 }
 

@@ -5,6 +5,7 @@
 #include "results/fields/mooring_fields.h"
 #include "results/fields/move_fields.h"
 #include "results/fields/static_values.h"
+#include "results/verdict.h"
 
 namespace overbend {
 namespace {
@@ -146,6 +147,8 @@ Json mooring_summary_json(const MooringResults& results) {
   visit_heading(results, json);
   json["units"] = "SI: m, N, rad; angles of the vessel by Rz(yaw) Ry(pitch) Rx(roll) along the drawn axes";
   json["frame"] = kWorldFrame;
+  json["verdict"] = verdict_json(make_verdict(results.checks, results.findings));
+  json["checks"] = summary_checks(style, results.checks);
   json["static"] = state_json(style, results.rest);
   Json summary = json.take();
   if (results.hull) add_hull(*results.hull, summary);
@@ -163,6 +166,8 @@ Json moored_dynamic_summary_json(const MooringResults& statics, const DynamicRes
   });
   json["energy_drift"] = style.number(results.energy.drift());
   visit_dynamic_run(results.run, json);
+  json["verdict"] = verdict_json(make_verdict(results.checks, merge(results.findings, statics.findings)));
+  json["checks"] = summary_checks(style, results.checks);
   summary["dynamic"] = json.take();
   add_moored_dynamics(results, summary);
   return summary;

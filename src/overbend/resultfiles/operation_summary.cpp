@@ -4,6 +4,7 @@
 #include "resultfiles/passage_json.h"
 #include "resultfiles/summary_fields.h"
 #include "resultfiles/summary_json.h"
+#include "results/findings.h"
 #include "results/worst_stage.h"
 
 namespace overbend {
@@ -24,7 +25,8 @@ Json stage_json(const SummaryStyle& style, const StageResult& stage) {
   }
   if (stage.lay) {
     json.update(static_part(style, *stage.lay));
-    json["lay_warnings"] = stage.lay->warnings;
+    json["lay_warnings"] = messages(stage.lay->findings);
+    json["lay_findings"] = findings_json(stage.lay->findings);
     json["checks"] = summary_checks(style, stage.lay->checks);
   }
   return json;
@@ -65,6 +67,7 @@ Json operation_summary_json(const OperationResults& results) {
   json["units"] = "SI: m, N, Pa, rad, s; angles from horizontal";
   json["frame"] = kWorldFrame;
   json["derived"] = derived_json(style, results);
+  json["verdict"] = verdict_json(operation_verdict(results));
   json["checks"] = Json{{"worst", worst_json(style, results)}};
   Json& operation = json["operation"];
   operation["type"] = operation_word(results.type);

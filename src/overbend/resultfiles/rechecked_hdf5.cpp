@@ -10,7 +10,7 @@
 namespace overbend {
 namespace {
 
-/// Of the fields visited, writes the assumptions anew.
+/// Of the fields visited, writes assumptions and findings anew.
 struct AssumptionWriter {
   Hdf5Writer& file;
   std::string group;
@@ -20,6 +20,11 @@ struct AssumptionWriter {
     if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
       if (field.name != "assumptions") return;
       file.remove(group + "/" + field.name);
+      ValueWriter{file, group}(field, value);
+    } else if constexpr (std::is_same_v<Value, Findings>) {
+      for (const char* name : {"/findings", "/warnings"}) {
+        if (file.has(group + name)) file.remove(group + name);
+      }
       ValueWriter{file, group}(field, value);
     }
   }

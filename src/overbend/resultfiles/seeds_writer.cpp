@@ -38,7 +38,8 @@ Json statistics_json(const SeedQuantity& quantity, const SeedStatistics& s) {
 Json run_json(const SeedRun& run, const std::vector<SeedQuantity>& quantities) {
   Json json = {{"seed", run.seed}, {"folder", run.folder}};
   for (std::size_t i = 0; i < quantities.size(); ++i) json[quantities[i].name] = run.values.at(i);
-  json["warnings"] = run.warnings;
+  json["warnings"] = messages(run.findings);
+  json["findings"] = findings_json(run.findings);
   return json;
 }
 
@@ -68,8 +69,13 @@ Json seeds_json(const SeedsResults& results) {
   for (std::size_t i = 0; i < results.statistics.size(); ++i) {
     over_seeds[results.quantities.at(i).name] = statistics_json(results.quantities[i], results.statistics[i]);
   }
-  return {{"duration", results.duration}, {"build_up", results.build_up}, {"runs", runs}, {"failed", failed},
-          {"statistics", over_seeds},     {"warnings", results.warnings}};
+  return {{"duration", results.duration},
+          {"build_up", results.build_up},
+          {"runs", runs},
+          {"failed", failed},
+          {"statistics", over_seeds},
+          {"warnings", messages(results.findings)},
+          {"findings", findings_json(results.findings)}};
 }
 
 std::string seeds_summary(const StaticResults& statics, const SeedsResults& results) {

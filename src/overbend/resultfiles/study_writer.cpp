@@ -16,6 +16,7 @@
 #include "resultfiles/xlsx_table.h"
 #include "runstore/replace_file.h"
 
+#include "results/fields/words.h"
 namespace overbend {
 namespace {
 
@@ -51,8 +52,7 @@ TableCell input_cell(const StudyInput& input, const StudyCase& one, std::size_t 
 }
 
 TableCell verdict_cell(const StudyCase& one) {
-  if (one.passed && !is_checked(one)) return "no check";
-  return VerdictCell{one.passed, one.passed ? "passed" : "exceeded"};
+  return VerdictCell{one.verdict, word(one.verdict)};
 }
 
 std::vector<TableCell> cells_of(const StudyResults& results, const StudyCase& one, bool seeds) {
@@ -142,8 +142,8 @@ void write_cases(const StudyResults& results, DatasetSink& file, const std::vect
     const auto seed = [](const StudyCase& one) { return one.seed.value_or(0); };
     file.write("/case/seed", ResultField{"", "1", "Seed of the waves"}, column<std::uint64_t>(results, seed), shape);
   }
-  const auto passed = [](const StudyCase& one) { return one.passed ? 1 : 0; };
-  file.write("/case/passed", ResultField{"", "1", "1 where no governing check is exceeded"},
+  const auto passed = [](const StudyCase& one) { return one.passed() ? 1 : 0; };
+  file.write("/case/passed", ResultField{"", "1", "1 where it passes: no governing check exceeded, no serious finding"},
              column<int>(results, passed), shape);
   const auto used = [](const StudyCase& one) { return one.utilisation.value_or(kNone); };
   file.write("/case/utilisation", ResultField{"", "1", "Of the governing check that is used most"},
@@ -222,7 +222,7 @@ std::string summary_of(const StudyResults& results) {
     if (one.state == StudyCaseState::failed) failed.push_back({{"case", one.number}, {"reason", one.reason}});
   }
   const auto passed = std::ranges::count_if(
-      results.cases, [](const StudyCase& one) { return one.state == StudyCaseState::done && one.passed; });
+      results.cases, [](const StudyCase& one) { return one.state == StudyCaseState::done && one.passed(); });
   const auto open = count(StudyCaseState::open);
   Json summary = {{"status", open == 0 ? "completed" : "unfinished"},
                   {"title", results.title},

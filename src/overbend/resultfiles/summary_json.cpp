@@ -2,6 +2,7 @@
 
 #include "resultfiles/results_writer.h"
 #include "resultfiles/summary_fields.h"
+#include "results/verdict.h"
 
 namespace overbend {
 
@@ -18,6 +19,7 @@ Json static_summary_json(const StaticResults& r) {
   json["frame"] = kWorldFrame;
   json["derived"] = sections.empty() ? Json::object() : sections.front();
   json["sections"] = sections;
+  json["verdict"] = verdict_json(make_verdict(r.checks, r.findings));
   json["checks"] = summary_checks(style, r.checks);
   json["static"] = static_part(style, r);
   Json summary = json.take();

@@ -22,7 +22,7 @@ constexpr std::size_t kLongestName = 31;             ///< Of a sheet, by the for
 /// How cells look.
 struct Formats {
   lxw_workbook* book;
-  lxw_format *head, *text, *good, *bad;
+  lxw_format *head, *text, *good, *reserved, *bad;
   std::vector<lxw_format*> numbers;  ///< By decimals.
 
   explicit Formats(lxw_workbook* workbook)
@@ -30,13 +30,19 @@ struct Formats {
         head(workbook_add_format(workbook)),
         text(workbook_add_format(workbook)),
         good(workbook_add_format(workbook)),
+        reserved(workbook_add_format(workbook)),
         bad(workbook_add_format(workbook)) {
     format_set_bold(head);
     format_set_text_wrap(head);
     format_set_align(head, LXW_ALIGN_VERTICAL_TOP);
     format_set_bottom(head, LXW_BORDER_THIN);
     format_set_font_color(good, 0x006100);
+    format_set_font_color(reserved, 0x7F6000);
     format_set_font_color(bad, 0x9C0006);
+  }
+
+  lxw_format* verdict(VerdictKind kind) const {
+    return kind == VerdictKind::passed ? good : kind == VerdictKind::exceeded ? bad : reserved;
   }
 
   lxw_format* number(int digits) {
@@ -66,7 +72,7 @@ struct CellWriter {
     return worksheet_write_string(sheet, row, column, text.c_str(), formats.text);
   }
   lxw_error operator()(const VerdictCell& verdict) const {
-    return worksheet_write_string(sheet, row, column, verdict.text.c_str(), verdict.good ? formats.good : formats.bad);
+    return worksheet_write_string(sheet, row, column, verdict.text.c_str(), formats.verdict(verdict.kind));
   }
 };
 

@@ -4,8 +4,6 @@
 
 namespace overbend {
 
-const char* const kNotJudged = "not judged: ";
-
 CheckRow::CheckRow() = default;
 CheckRow::CheckRow(const CheckRow&) = default;
 CheckRow::CheckRow(CheckRow&&) noexcept = default;
@@ -13,12 +11,14 @@ CheckRow& CheckRow::operator=(const CheckRow&) = default;
 CheckRow& CheckRow::operator=(CheckRow&&) noexcept = default;
 CheckRow::~CheckRow() = default;
 
-std::vector<std::string> unjudged_checks(const CheckTable& table) {
-  std::vector<std::string> all;
+Findings unjudged_checks(const CheckTable& table) {
+  Findings all;
   for (const CheckRow& row : table.rows) {
     if (!row.governing || row.status != CheckStatus::outside_validity) continue;
-    std::string words = kNotJudged + row.name + ", " + row.code + " (" + row.remark + ")";
-    if (std::find(all.begin(), all.end(), words) == all.end()) all.push_back(std::move(words));
+    Finding finding =
+        Finding{FindingCode::check_not_judged, "not judged: " + row.name + ", " + row.code + " (" + row.remark + ")"}
+            .on(row.name);
+    if (std::ranges::find(all, finding) == all.end()) all.push_back(std::move(finding));
   }
   return all;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "base/vec.h"
 
 namespace overbend {
@@ -81,12 +82,8 @@ struct CheckTable {
   std::vector<std::string> assumptions;
 };
 
-/// What sentences of checks that were neither passed nor failed begin with.
-extern const char* const kNotJudged;
-
-/// A sentence for every governing check whose formula does not hold: a verdict over many lays has no room for their
-/// rows, and "passed" alone would hide that nobody looked.
-std::vector<std::string> unjudged_checks(const CheckTable& table);
+/// A finding for every governing check whose formula does not hold: "passed" alone would hide that nobody looked.
+Findings unjudged_checks(const CheckTable& table);
 
 /// The judged and governing row that is used most; null without one.
 inline const CheckRow* worst_check(const CheckTable& table) {

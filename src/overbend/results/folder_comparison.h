@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
+
 namespace overbend {
 
 enum class ResultsKind { statics, dynamics, seeds, operation };
@@ -17,7 +19,7 @@ struct ComparedFolder {
   std::string path;
   ResultsKind kind = ResultsKind::statics;
   std::string title, version, governing;  ///< Check that is used most; empty where none is judged.
-  std::vector<std::string> warnings;
+  Findings findings;
 };
 
 /// A key of the model files that not all have alike.

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "model/lay_table_description.h"
+#include "results/verdict.h"
 
 namespace overbend {
 
@@ -33,7 +35,9 @@ struct LayTableValues {
   std::string largest_reaction_support;  ///< Box of that roller.
   std::optional<double> utilisation;     ///< Of the governing check that is used most; none where none is judged.
   std::string worst_check;               ///< Its name.
-  bool passed = true;                    ///< No governing check is exceeded.
+  VerdictKind verdict = VerdictKind::not_judged;
+
+  bool passed() const { return verdict == VerdictKind::passed; }
 };
 
 struct LayTableRow {
@@ -43,14 +47,14 @@ struct LayTableRow {
   double depth = 0.0;                 ///< Of the water [m].
   std::optional<LayTableValues> lay;  ///< None where no lay stands.
   std::string reason;                 ///< Why not, or what is exceeded, or what ends the range; may be empty.
-  std::vector<std::string> serious;   ///< What no check judges: a pipe beside its stinger, formulas that do not hold.
+  Findings serious;                   ///< What no check judges: a pipe beside its stinger, formulas that do not hold.
   int solves = 0;                     ///< Equilibria that it took.
 };
 
-/// Reason and serious warnings in one text.
+/// Reason and serious findings in one text.
 inline std::string remark_of(const LayTableRow& row) {
   std::string remark = row.reason;
-  for (const std::string& warning : row.serious) remark += (remark.empty() ? "" : "; ") + warning;
+  for (const Finding& finding : row.serious) remark += (remark.empty() ? "" : "; ") + finding.message;
   return remark;
 }
 
@@ -60,7 +64,8 @@ struct LayTable {
   bool route = false;                         ///< Rows are points of a route.
   RouteTension tension = RouteTension::hold;  ///< Of a route.
   double held_tension = 0.0;                  ///< Where depth is varied and the tension is not [N].
-  std::vector<std::string> assumptions, warnings;
+  std::vector<std::string> assumptions;
+  Findings findings;
   std::vector<LayTableRow> rows;  ///< In the order of what is varied, the limits among them.
   int solves = 0;                 ///< Equilibria calculated.
   double wall_time = 0.0;         ///< [s]

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "base/vec.h"
 #include "results/dynamic_results.h"
 
@@ -46,7 +47,9 @@ struct LineResult {
 
 struct LinesResults {
   std::string title, version;
-  std::vector<std::string> assumptions, warnings;
+  std::vector<std::string> assumptions;
+  Findings findings;
+  CheckTable checks;
   std::vector<LineResult> lines;
   bool moved = false;         ///< Whether there was a run.
   std::vector<double> time;   ///< Of the histories [s].

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "base/vec.h"
+#include "results/check_results.h"
 #include "results/hull_results.h"
 
 namespace overbend {
@@ -113,7 +115,9 @@ struct MooringResults {
   ~MooringResults();
 
   std::string title, version;
-  std::vector<std::string> assumptions, warnings;
+  std::vector<std::string> assumptions;
+  Findings findings;
+  CheckTable checks;  ///< Of lines and anchors; of a lay in StaticResults.
   MooredState rest;
   std::optional<HullResults> hull;  ///< Of a hull with hydrodynamic coefficients; of a lay in StaticResults.
   std::string operation;            ///< moored, pull_ahead, anchor_move, anchor_plan or empty.

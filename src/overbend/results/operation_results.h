@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "model/description.h"
 #include "results/static_results.h"
 
@@ -22,15 +23,16 @@ struct StageResult {
   std::optional<StageFailure> failure;  ///< Where there is none.
   double barge_ahead = 0.0;             ///< How far the barge lies ahead of the first stage's place [m].
   std::string governing;                ///< The limit that a sought tension is on; empty where none was sought.
-  std::vector<std::string> warnings;    ///< Of this stage, besides those of `lay`.
+  Findings findings;                    ///< Of this stage, besides those of `lay`.
 };
 
 struct OperationResults {
   std::string title, version;
   OperationType type = OperationType::abandonment;
-  std::vector<std::string> assumptions, warnings;  ///< Of the operation as a whole.
-  std::vector<StageResult> stages;                 ///< In the order in which they are done.
-  double wall_time = 0.0;                          ///< Of all [s].
+  std::vector<std::string> assumptions;
+  Findings findings;                ///< Of the operation as a whole.
+  std::vector<StageResult> stages;  ///< In the order in which they are done.
+  double wall_time = 0.0;           ///< Of all [s].
 };
 
 }  // namespace overbend

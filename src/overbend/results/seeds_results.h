@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
+
 namespace overbend {
 
 /// How a value of each run is looked at over the runs.
@@ -28,7 +30,7 @@ struct SeedRun {
   std::uint64_t seed = 0;
   std::string folder;          ///< Within the folder of results: "seed-3".
   std::vector<double> values;  ///< As many as there are quantities.
-  std::vector<std::string> warnings;
+  Findings findings;
 };
 
 struct FailedSeed {
@@ -59,7 +61,7 @@ struct SeedsResults {
   std::vector<SeedRun> runs;               ///< In the order of the model's list.
   std::vector<SeedStatistics> statistics;  ///< As many as quantities; empty without runs.
   std::vector<FailedSeed> failed;
-  std::vector<std::string> warnings;
+  Findings findings;
 };
 
 }  // namespace overbend

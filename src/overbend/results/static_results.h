@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "base/vec.h"
 #include "model/section.h"
 #include "model/supports.h"
@@ -199,7 +200,8 @@ struct StaticResults {
   ~StaticResults();
 
   std::string title, version;
-  std::vector<std::string> assumptions, warnings;
+  std::vector<std::string> assumptions;
+  Findings findings;
   std::vector<DerivedSection> sections;  ///< First the line's own, then the segments'.
 
   double top_tension = 0.0;                     ///< Effective, at the tensioner [N].

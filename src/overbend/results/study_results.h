@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
+#include "results/verdict.h"
+
 namespace overbend {
 
 /// With the ends of its 95 % confidence interval.
@@ -44,12 +47,18 @@ struct StudyCase {
   StudyCaseState state = StudyCaseState::open;
   std::vector<std::optional<double>> values;  ///< Of every output; none of a text and where it does not apply.
   std::vector<std::string> texts;             ///< Of every output; empty of a number.
-  bool passed = false;                        ///< No governing check is exceeded.
-  std::string governing;                      ///< The check that is used most; empty where none is judged.
-  std::optional<double> utilisation;          ///< Its utilisation.
-  std::string reason;                         ///< Why it failed, in one line.
-  std::vector<std::string> warnings;
+  VerdictKind verdict = VerdictKind::not_judged;
+  std::string governing;              ///< The check that is used most; empty where none is judged.
+  std::optional<double> utilisation;  ///< Its utilisation.
+  std::string reason;                 ///< Why it failed, in one line.
+  Findings findings;
   double wall_time = 0.0;  ///< [s]
+
+  bool passed() const { return verdict == VerdictKind::passed; }
+  /// What keeps it from passing: the check that is exceeded, or the codes of its serious findings; empty where it does.
+  std::string obstacle() const {
+    return verdict == VerdictKind::exceeded ? governing : passed() ? std::string() : serious_codes(findings);
+  }
 };
 
 /// An output over the seeds of one group, for three hours.
@@ -103,26 +112,11 @@ struct StudyResults {
   std::vector<StudyCase> cases;
   std::vector<StudyExtreme> extremes;
   std::optional<OperabilityResults> operability;
-  std::vector<std::string> assumptions, warnings;
+  std::vector<std::string> assumptions;
+  Findings findings;
   double wall_time = 0.0;  ///< Of all sittings together [s].
   int threads = 0;
   std::string command{};  ///< That ran it, for people to run a case alone: "overbend study STUDY.yaml -o DIR".
 };
-
-/// Of a case with a result: whether a code check decided whether it passed. None does of moorings without a pipe.
-inline bool is_checked(const StudyCase& one) {
-  return !one.governing.empty();
-}
-
-/// Whether any case has a result and none of them a code check.
-inline bool without_checks(const StudyResults& results) {
-  bool any = false;
-  for (const StudyCase& one : results.cases) {
-    if (one.state != StudyCaseState::done) continue;
-    if (is_checked(one)) return false;
-    any = true;
-  }
-  return any;
-}
 
 }  // namespace overbend

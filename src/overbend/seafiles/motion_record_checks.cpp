@@ -70,8 +70,9 @@ class RecordChecker {
   }
 
  private:
-  void warn(std::size_t row, std::string remark) {
-    diagnostics_.add({Severity::warning, record_.history.source, record_.lines[row], 0, "", std::move(remark), "", ""});
+  void warn(std::size_t row, std::string remark, FindingCode code = FindingCode::unusual_input) {
+    diagnostics_.add(
+        {Severity::warning, record_.history.source, record_.lines[row], 0, "", std::move(remark), "", "", code});
   }
 
   void check_time() {
@@ -121,7 +122,8 @@ class RecordChecker {
     const double average = mean(values);
     const bool away = std::abs(average) > kBounds[freedom].mean;
     if (freedom == 5 && (away || record_.compass)) {
-      warn(0, fmt::format("yaw_deg is {:.5g} deg on average{}", average, compass_words(average)));
+      warn(0, fmt::format("yaw_deg is {:.5g} deg on average{}", average, compass_words(average)),
+           FindingCode::recorded_yaw_is_heading);
     } else if (away) {
       warn(0, fmt::format("{} is {} on average: the vessel is away from its nominal place by so much throughout; the "
                           "record is of the motion about that place",
@@ -150,7 +152,8 @@ class RecordChecker {
                      "the pipe, is thrown by it",
                      kMotionColumns[freedom], shown(change, freedom), step, values[row - 1], values[row], time_[row],
                      sentinel_words(is_sentinel(values[row - 1]) ? values[row - 1] : values[row]),
-                     leap_words(worst, freedom, leaps.size())));
+                     leap_words(worst, freedom, leaps.size())),
+         FindingCode::recorded_motion_leaps);
   }
 
   /// The largest; of a spike the row that stands out, not the one behind it.

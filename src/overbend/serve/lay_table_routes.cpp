@@ -68,7 +68,7 @@ Json table_json(const LayTable& table) {
           {"columns", columns},
           {"rows", rows},
           {"curves", lay_table_curves(table)},
-          {"warnings", table.warnings},
+          {"findings", findings_json(table.findings)},
           {"wall_time", table.wall_time}};
 }
 

@@ -4,6 +4,7 @@
 #include "report/json_number.h"
 #include "resultfiles/study_writer.h"
 
+#include "results/fields/words.h"
 namespace overbend {
 namespace {
 
@@ -49,7 +50,9 @@ Json case_json(const StudyResults& results, const StudyCase& one) {
           {"seed", one.seed ? Json(*one.seed) : Json(nullptr)},
           {"state", word(one.state)},
           {"values", std::move(values)},
-          {"passed", one.passed},
+          {"verdict", overbend::word(one.verdict)},
+          {"passed", one.passed()},
+          {"obstacle", one.obstacle()},
           {"governing", one.governing},
           {"utilisation", number_json(one.utilisation, 1.0)},
           {"reason", one.reason}};
@@ -94,7 +97,7 @@ Json matrix_json(const StudyResults& results) {
           {"outputs", std::move(outputs)},
           {"cases", std::move(cases)},
           {"operability", results.operability ? limits_json(*results.operability) : Json(nullptr)},
-          {"warnings", results.warnings}};
+          {"findings", findings_json(results.findings)}};
 }
 
 }  // namespace overbend

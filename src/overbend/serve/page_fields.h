@@ -156,7 +156,11 @@ auto page_statics(const Style& style, const StaticResults& r, const std::vector<
       style.maybe(r.moorings.has_value(), [&] { return page_moorings(style, r.moorings.value_or(MooringResults{})); });
   json["lines"] = style.rows(lines, [&](const LineResult& line) { return page_line(style, line); });
   json["checks"] = style.rows(r.checks.rows, [&](const CheckRow& row) { return page_check(style, row); });
-  json["warnings"] = style.texts(r.warnings);
+  json["findings"] = style.findings(r.findings);
+  const Verdict verdict = make_verdict(r.checks, r.findings);
+  json["verdict"] = style.named("Verdict", Json{{"kind", style.word(verdict.kind)},
+                                                {"words", style.text(verdict.words)},
+                                                {"because", style.text(verdict.because)}});
   return json.take();
 }
 

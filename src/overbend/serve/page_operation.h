@@ -84,7 +84,7 @@ auto page_stage(const Style& style, const StageResult& stage, double head_length
   });
   json["failure"] = style.maybe(stage.failure.has_value(),
                                 [&] { return page_stage_failure(style, stage.failure.value_or(StageFailure{})); });
-  json["warnings"] = style.texts(stage.warnings);
+  json["findings"] = style.findings(stage.findings);
   return style.named("OperationStage", json.take());
 }
 
@@ -107,7 +107,7 @@ auto page_operation(const Style& style, const OperationResults& results, double 
       style.rows(results.stages, [&](const StageResult& stage) { return page_stage(style, stage, head_length); });
   json["hold_points"] =
       style.rows(hold_points(results), [&](const HoldPoint& point) { return page_hold_point(style, point); });
-  json["warnings"] = style.texts(results.warnings);
+  json["findings"] = style.findings(results.findings);
   return json.take();
 }
 

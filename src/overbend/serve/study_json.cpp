@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/finding.h"
 #include "resultfiles/seeds_writer.h"
-#include "results/shared_warnings.h"
 
 namespace overbend {
 namespace {
@@ -33,12 +33,18 @@ Json case_json(const RunInfo& study, const std::string& name, const std::string&
 }
 
 /// Those of the study as a whole, and what cases have in common once, with how many have it.
-Json warnings_json(const Json& cases, const Json& own) {
-  std::vector<std::vector<std::string>> of_cases;
-  for (const Json& one : cases) of_cases.push_back(one["warnings"].get<std::vector<std::string>>());
+Json findings_json(const Json& cases, const Json& own) {
+  std::vector<Findings> of_cases;
+  for (const Json& one : cases) of_cases.push_back(read_findings(one["findings"]));
   Json list = Json::array();
-  for (const Json& text : own) list.push_back({{"text", text}, {"cases", cases.size()}});
-  for (const SharedWarning& one : shared_warnings(of_cases)) list.push_back({{"text", one.text}, {"cases", one.runs}});
+  const auto add = [&](const Finding& finding, const std::string& message, std::size_t number) {
+    Json json = finding_json(finding);
+    json["message"] = message;
+    json["cases"] = number;
+    list.push_back(std::move(json));
+  };
+  for (const Finding& finding : read_findings(own)) add(finding, finding.message, cases.size());
+  for (const SharedFinding& one : shared_findings(of_cases)) add(one.worst, one.text(), one.runs.size());
   return list;
 }
 
@@ -58,7 +64,7 @@ Json seeds_json(const RunInfo& study, const Json& seeds) {
   return {{"kind", "seeds"},
           {"cases", std::move(cases)},
           {"quantities", std::move(quantities)},
-          {"warnings", warnings_json(seeds["runs"], seeds["warnings"])}};
+          {"findings", findings_json(seeds["runs"], seeds["findings"])}};
 }
 
 Json comparison_json(const RunInfo& study, const Json& comparison) {
@@ -73,7 +79,7 @@ Json comparison_json(const RunInfo& study, const Json& comparison) {
           {"of", comparison["of"]},
           {"cases", std::move(cases)},
           {"quantities", std::move(quantities)},
-          {"warnings", warnings_json(comparison["variants"], Json::array())}};
+          {"findings", findings_json(comparison["variants"], Json::array())}};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/finding.h"
 #include "resultfiles/json_fields.h"
 
 namespace overbend {
@@ -28,6 +29,16 @@ struct TypeStyle {
   Json number(double) const { return "number"; }
   Json text(const std::string&) const { return "string"; }
   Json texts(const std::vector<std::string>&) const { return "string[]"; }
+  Json findings(const Findings&) const {
+    return type_text(named("Finding", {{"code", "string"},
+                                       {"severity", "'serious' | 'caution' | 'note'"},
+                                       {"message", "string"},
+                                       {"object?", "string"},
+                                       {"from_top?", "number"},
+                                       {"time?", "number"},
+                                       {"accepted?", "boolean"}})) +
+           "[]";
+  }
   Json flag(bool) const { return "boolean"; }
   template <class Integer>
   Json count(Integer) const {

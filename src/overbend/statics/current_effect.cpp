@@ -81,8 +81,9 @@ void find_current_effect(const Model& model, const StaticSolution& solution, Sta
   const Model still_model = without_current(model);
   StaticOutcome outcome = solve_still_lay(still_model, solution, still ? &*still : nullptr);
   if (!outcome.solution) {
-    results.warnings.emplace_back(
-        "there is no equilibrium without the current: the checks treat the load effects of the current as functional");
+    results.findings.push_back({FindingCode::current_effect_unknown,
+                                "there is no equilibrium without the current: the checks treat the load effects of the "
+                                "current as functional"});
     return;
   }
   set_current_effect(recover_stations(still_model, *outcome.solution), results);

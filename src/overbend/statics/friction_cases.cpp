@@ -101,7 +101,9 @@ void find_friction_cases(const Model& model, const StaticSolution& solution, Sta
     past.across_rollers = limit.across;
     const StaticOutcome outcome = solve_statics(with, &solution, past);
     const auto warn = [&](const std::string& why) {
-      results.warnings.push_back(fmt::format("what friction decides, limit '{}': {}", limit.name, why));
+      results.findings.push_back(Finding{FindingCode::friction_limit_not_found,
+                                         fmt::format("effect of roller friction, limit '{}': {}", limit.name, why)}
+                                     .on(limit.name));
     };
     if (!outcome.solution) {
       warn("no equilibrium found: " + (outcome.failure ? outcome.failure->what : "no reason given"));
@@ -114,8 +116,8 @@ void find_friction_cases(const Model& model, const StaticSolution& solution, Sta
                       1e-3 * found.bottom_tension));
       continue;
     }
-    for (const std::string& warning : found.warnings) {
-      if (warning.starts_with("steady laying")) warn(warning);  // what else there is stands in the limit's row
+    for (const Finding& finding : found.findings) {  // what else there is stands in the limit's row
+      if (finding.code == FindingCode::steady_laying_not_found) warn(finding.message);
     }
     results.roller_friction.push_back(friction_case(limit.name, found));
   }

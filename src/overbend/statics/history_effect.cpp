@@ -40,10 +40,12 @@ void note_history_effect(const Model& model, const StaticSolution& solution, Sta
   history = lays ? LayHistory::monotonic : LayHistory::laying;
   const StaticOutcome outcome = solve_statics(with, &solution);
   if (!outcome.solution) {
-    results.warnings.push_back(
-        fmt::format("the pipe has yielded, and with analysis.static.history: {} there is no "
-                    "equilibrium to compare with: {}",
-                    lays ? "monotonic" : "laying", outcome.failure->what));
+    results.findings.push_back(
+        Finding{FindingCode::history_dependent_strain,
+                fmt::format("the pipe has yielded, and with analysis.static.history: {} there is no "
+                            "equilibrium to compare with: {}",
+                            lays ? "monotonic" : "laying", outcome.failure->what)}
+            .on("pipe"));
     return;
   }
   const StaticResults other = recover_state(with, *outcome.solution);
@@ -56,8 +58,13 @@ void note_history_effect(const Model& model, const StaticSolution& solution, Sta
     ratio = std::max(ratio, beside.ratio());
     text += beside.text(fmt::format("; beside '{}'", results.structures[i].name));
   }
-  (ratio > kSmall ? results.warnings : results.assumptions)
-      .push_back("the strain of pipe that yields depends on its loading history (analysis.static.history): " + text);
+  text = "the strain of pipe that yields depends on its loading history (analysis.static.history): " + text;
+  if (ratio > kSmall) {
+    results.findings.push_back(
+        Finding{FindingCode::history_dependent_strain, text}.on("pipe").with("strain_ratio", ratio, "1"));
+  } else {
+    results.assumptions.push_back(text);
+  }
 }
 
 }  // namespace overbend

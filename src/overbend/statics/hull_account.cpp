@@ -78,7 +78,7 @@ std::optional<HullAccount> hull_account(const Model& model, const MooredState* r
   const Mat6 stiffness = station_stiffness(rest, given->centre_of_gravity);
   const MadeHull made = make_hull(model, sea, 0.0, stiffness);
   const HullReport report = hull_report(made, model, sea, stiffness);
-  HullAccount account{{}, report.assumptions, report.warnings};
+  HullAccount account{{}, report.assumptions, report.findings};
   HullResults& out = account.results;
   tell_radiation(report.radiation, out);
   tell_damping(report, *given->data, out);

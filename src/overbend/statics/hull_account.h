@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "model/model.h"
 #include "results/hull_results.h"
 #include "results/mooring_results.h"
@@ -12,7 +13,8 @@ namespace overbend {
 
 struct HullAccount {
   HullResults results;
-  std::vector<std::string> assumptions, warnings;  ///< Plain sentences.
+  std::vector<std::string> assumptions;
+  Findings findings;  ///< Plain sentences.
 };
 
 /// Of a hull with hydrodynamic coefficients, in the sea of the model; nullopt for others. `rest`: on mooring lines,

@@ -7,7 +7,7 @@
 
 #include "base/version.h"
 #include "mechanics/ground.h"
-#include "model/model_warnings.h"
+#include "model/model_findings.h"
 #include "system/cut_forces.h"
 
 namespace overbend {
@@ -84,36 +84,47 @@ std::optional<double> folded_at(const LineMesh& mesh, const std::vector<double>&
   return std::nullopt;
 }
 
-void warn_of_fold(const std::string& name, const LineMesh& mesh, const std::vector<double>& q,
-                  std::vector<std::string>& warnings) {
+void warn_of_fold(const std::string& name, const LineMesh& mesh, const std::vector<double>& q, Findings& findings) {
   const std::optional<double> at = folded_at(mesh, q);
   if (!at) return;
-  warnings.push_back(
+  findings.push_back(Finding{
+      FindingCode::element_folded,
       fmt::format("line \"{}\": an element is folded {:.1f} m from its first end: tension and shape are not those of a "
                   "line; give its ends a direction, or shorter elements (lines[].element)",
-                  name, *at));
+                  name, *at)}
+                         .on("line " + name));
 }
 
-void warn(const FreeLineDescription& description, const LineResult& line, bool in_bow,
-          std::vector<std::string>& warnings) {
+void warn(const FreeLineDescription& description, const LineResult& line, bool in_bow, Findings& findings) {
   if (line.utilisation && *line.utilisation > 1.0) {
-    warnings.push_back(fmt::format("line \"{}\": its largest tension is {:.2f} times its breaking load", line.name,
-                                   *line.utilisation));
+    findings.push_back(Finding{
+        FindingCode::breaking_load_exceeded,
+        fmt::format("line \"{}\": its largest tension is {:.2f} times its breaking load", line.name, *line.utilisation)}
+                           .on("line " + line.name)
+                           .with("utilisation", *line.utilisation, "1"));
   }
   constexpr double kPushed = 0.1;  // of the weight: so much a bent line does not bear
   if (line.least_tension < -kPushed * std::abs(line.weight)) {
-    warnings.push_back(
+    findings.push_back(Finding{
+        FindingCode::line_compressed,
         fmt::format("line \"{}\": slack, it is pushed with up to {:.3g} kN: a line that bends aside has other tensions",
-                    line.name, -1e-3 * line.least_tension));
+                    line.name, -1e-3 * line.least_tension)}
+                           .on("line " + line.name)
+                           .with("tension", line.least_tension, "N"));
   }
   if (in_bow) {
-    warnings.push_back(
-        fmt::format("line \"{}\": slack, it lies in a bow on the bed whose place is arbitrary", line.name));
+    findings.push_back(
+        Finding{FindingCode::line_in_bow,
+                fmt::format("line \"{}\": slack, it lies in a bow on the bed whose place is arbitrary", line.name)}
+            .on("line " + line.name));
   }
   for (const auto& [end, result] : {std::pair{&description.first, &line.first}, {&description.second, &line.second}}) {
     if (end->kind == LineEndKind::bed && result->force.z() < -1e-3 * result->tension) {
-      warnings.push_back(
-          fmt::format("line \"{}\": pulls its end on the bed up with {:.1f} kN", line.name, -1e-3 * result->force.z()));
+      findings.push_back(Finding{
+          FindingCode::seabed_end_lifted,
+          fmt::format("line \"{}\": pulls its end on the bed up with {:.1f} kN", line.name, -1e-3 * result->force.z())}
+                             .on("line " + line.name)
+                             .with("uplift", -result->force.z(), "N"));
     }
   }
 }
@@ -152,7 +163,7 @@ LinesResults recover_lines(const Model& model, const Assembly& assembly, const S
   LinesResults results;
   results.title = model.description.title;
   results.version = kVersion;
-  results.warnings = model_warnings(model);
+  results.findings = model_findings(model);
   results.assumptions = line_assumptions(model);
   for (std::size_t i = 0; i < state.lines.size(); ++i) {
     const FreeLineDescription& description = model.description.lines[i];
@@ -174,8 +185,8 @@ LinesResults recover_lines(const Model& model, const Assembly& assembly, const S
     line.least_tension = line.least_in_time = least->tension;
     line.largest_tension = line.largest_in_time = most->tension;
     line.utilisation = utilisation_of(description, line, solved.line().mesh);
-    warn(description, line, rest.in_bows[i], results.warnings);
-    warn_of_fold(line.name, solved.line().mesh, q, results.warnings);
+    warn(description, line, rest.in_bows[i], results.findings);
+    warn_of_fold(line.name, solved.line().mesh, q, results.findings);
     results.lines.push_back(std::move(line));
   }
   return results;

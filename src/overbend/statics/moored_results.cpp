@@ -136,46 +136,62 @@ void assume_lines(const MooringsDescription& moorings, std::vector<std::string>&
 }
 
 /// Thrusters that give all they can hold no more.
-void warn_of_thrust(const StationKeepingDescription& law, const MooredState& state, std::vector<std::string>& list) {
+void warn_of_thrust(const StationKeepingDescription& law, const MooredState& state, Findings& list) {
   constexpr std::array<const char*, 3> kNames = {"surge", "sway", "yaw"};
   for (std::size_t i = 0; i < state.thrust.size(); ++i) {
     if (std::abs(state.thrust[i]) < law.limit[static_cast<Eigen::Index>(i)]) continue;
-    list.push_back(
-        fmt::format("{}: dynamic positioning gives all its thrust in {}: it holds no more.", state.name, kNames[i]));
+    list.push_back(Finding{
+        FindingCode::thrust_at_limit,
+        fmt::format("{}: dynamic positioning gives all its thrust in {}: it holds no more.", state.name, kNames[i])}
+                       .on(std::string("dynamic positioning, ") + kNames[i]));
   }
 }
 
 /// Beyond what the linear restoring of the water holds for.
-void warn_of_large_offset(const VesselDescription& vessel, const MooredState& state, std::vector<std::string>& list) {
+void warn_of_large_offset(const VesselDescription& vessel, const MooredState& state, Findings& list) {
   const double heave = std::abs(state.vessel.heave);
   if (std::max(std::abs(state.vessel.roll), std::abs(state.vessel.pitch)) > kLargeAngle) {
-    list.push_back(fmt::format(
-        "{}: the vessel heels by {:.1f} deg and trims by {:.1f} deg: beyond 10 deg the restoring of the water is not "
-        "linear, as it is taken to be.",
-        state.name, kToDegrees * state.vessel.roll, kToDegrees * state.vessel.pitch));
+    list.push_back(Finding{FindingCode::vessel_angle_nonlinear,
+                           fmt::format("{}: the vessel heels by {:.1f} deg and trims by {:.1f} deg: beyond 10 deg the "
+                                       "restoring of the water is not "
+                                       "linear, as it is taken to be.",
+                                       state.name, kToDegrees * state.vessel.roll, kToDegrees * state.vessel.pitch)}
+                       .on("vessel")
+                       .with("roll", state.vessel.roll, "rad")
+                       .with("pitch", state.vessel.pitch, "rad"));
   }
   if (heave > 0.5 * (vessel.depth - vessel.draught)) {
-    list.push_back(fmt::format(
-        "{}: the vessel heaves by {:.2f} m, more than half its freeboard: the restoring of the water is not "
-        "linear there, as it is taken to be.",
-        state.name, state.vessel.heave));
+    list.push_back(Finding{
+        FindingCode::vessel_heave_nonlinear,
+        fmt::format(
+            "{}: the vessel heaves by {:.2f} m, more than half its freeboard: the restoring of the water is not "
+            "linear there, as it is taken to be.",
+            state.name, state.vessel.heave)}
+                       .on("vessel")
+                       .with("heave", state.vessel.heave, "m"));
   }
 }
 
 /// Where the catenary's straight bed is not the bed. A metre of it changes no tension much in waters where lines lie.
-void warn_of_bed(const BedSurface& bed, const MooringLineResult& line, const std::string& head,
-                 std::vector<std::string>& list) {
+void warn_of_bed(const BedSurface& bed, const MooringLineResult& line, const std::string& head, Findings& list) {
   constexpr double kTold = 1.0;
   constexpr const char* kWhy =
       "statics take the bed as straight from below the fairlead to the anchor, and a line over the bed as it is has "
       "another tension and stiffness; a run in time lays it on that bed and begins with what it finds.";
   const BedDeparture there = bed_departure(bed, line.shape_W);
   if (there.inside > kTold) {
-    list.push_back(fmt::format("{} runs up to {:.1f} m in the seabed, {:.0f} m from its anchor: {}", head, there.inside,
-                               there.inside_at, kWhy));
+    list.push_back(Finding{FindingCode::line_off_seabed,
+                           fmt::format("{} runs up to {:.1f} m in the seabed, {:.0f} m from its anchor: {}", head,
+                                       there.inside, there.inside_at, kWhy)}
+                       .on("mooring line " + line.name)
+                       .with("depth", there.inside, "m"));
   } else if (there.over_hollow > kTold) {
-    list.push_back(fmt::format("{} is taken to lie up to {:.1f} m above the seabed, {:.0f} m from its anchor: {}", head,
-                               there.over_hollow, there.hollow_at, kWhy));
+    list.push_back(
+        Finding{FindingCode::line_off_seabed,
+                fmt::format("{} is taken to lie up to {:.1f} m above the seabed, {:.0f} m from its anchor: {}", head,
+                            there.over_hollow, there.hollow_at, kWhy)}
+            .on("mooring line " + line.name)
+            .with("height", there.over_hollow, "m"));
   }
 }
 
@@ -212,8 +228,8 @@ MooredState moored_state(const std::string& name, const Model& model, const Moor
   return state;
 }
 
-std::vector<std::string> mooring_warnings(const Model& model, const MooringSpread& spread, const MooredState& state) {
-  std::vector<std::string> list;
+Findings mooring_findings(const Model& model, const MooringSpread& spread, const MooredState& state) {
+  Findings list;
   const MooringsDescription& moorings = moorings_of(model.description);
   int effective = 0;
   for (std::size_t i = 0; i < state.moorings.size(); ++i) {
@@ -222,40 +238,64 @@ std::vector<std::string> mooring_warnings(const Model& model, const MooringSprea
     const double tension = line.fairlead_tension / 1e3;
     if (line.parted) continue;
     effective += line.slack ? 0 : 1;
-    if (line.slack) list.push_back(head + " is slack: it holds nothing.");
+    if (line.slack)
+      list.push_back(
+          Finding{FindingCode::line_slack, head + " is slack: it holds nothing."}.on("mooring line " + line.name));
     if (line.utilisation && *line.utilisation > 1.0) {
-      list.push_back(fmt::format("{} has {:.1f} kN, more than its breaking load.", head, tension));
+      list.push_back(Finding{FindingCode::breaking_load_exceeded,
+                             fmt::format("{} has {:.1f} kN, more than its breaking load.", head, tension)}
+                         .on("mooring line " + line.name)
+                         .with("tension", line.fairlead_tension, "N"));
     } else if (moorings.working_load && line.fairlead_tension > *moorings.working_load) {
-      list.push_back(fmt::format("{} has {:.1f} kN, more than the working load.", head, tension));
+      list.push_back(Finding{FindingCode::working_load_exceeded,
+                             fmt::format("{} has {:.1f} kN, more than the working load.", head, tension)}
+                         .on("mooring line " + line.name)
+                         .with("tension", line.fairlead_tension, "N"));
     }
     if (const std::optional<double> brake = brake_of(moorings, moorings.lines[i].winch);
         brake && line.fairlead_tension > *brake) {
-      list.push_back(fmt::format("{} has {:.1f} kN, more than the {:.1f} kN at which its winch's brake renders.", head,
-                                 tension, *brake / 1e3));
+      list.push_back(
+          Finding{FindingCode::winch_limit_exceeded,
+                  fmt::format("{} has {:.1f} kN, more than the {:.1f} kN at which its winch's brake renders.", head,
+                              tension, *brake / 1e3)}
+              .on("mooring line " + line.name)
+              .with("tension", line.fairlead_tension, "N"));
     }
     if (line.anchor_uplift > 0.0) {
-      list.push_back(fmt::format("{} lifts its anchor with {:.1f} kN: no length of it is left on the bed.", head,
-                                 line.anchor_uplift / 1e3));
+      list.push_back(Finding{FindingCode::anchor_lifted,
+                             fmt::format("{} lifts its anchor with {:.1f} kN: no length of it is left on the bed.",
+                                         head, line.anchor_uplift / 1e3)}
+                         .on("mooring line " + line.name)
+                         .with("uplift", line.anchor_uplift, "N"));
     } else if (line.on_bed <= 0.0) {
-      list.push_back(head + " has no length on the bed.");
+      list.push_back(Finding{FindingCode::no_length_on_seabed, head + " has no length on the bed."}.on("mooring line " +
+                                                                                                       line.name));
     }
     if (line.anchor_utilisation && *line.anchor_utilisation > 1.0) {
-      list.push_back(fmt::format("{} pulls its anchor with {:.1f} kN, more than its holding power.", head,
-                                 line.anchor_tension / 1e3));
+      list.push_back(Finding{FindingCode::anchor_holding_exceeded,
+                             fmt::format("{} pulls its anchor with {:.1f} kN, more than its holding power.", head,
+                                         line.anchor_tension / 1e3)}
+                         .on("mooring line " + line.name)
+                         .with("tension", line.anchor_tension, "N"));
     }
     warn_of_bed(spread.bed, line, head, list);
     const std::optional<double>& drum = spread.lines[i].drum;
     if (drum && line.first_segment_length > *drum) {
-      list.push_back(fmt::format("{} has {:.1f} m out, more than the {:.1f} m that its winch's drum holds.", head,
-                                 line.first_segment_length, *drum));
+      list.push_back(Finding{FindingCode::drum_length_exceeded,
+                             fmt::format("{} has {:.1f} m out, more than the {:.1f} m that its winch's drum holds.",
+                                         head, line.first_segment_length, *drum)}
+                         .on("mooring line " + line.name)
+                         .with("length", line.first_segment_length, "m"));
     }
   }
   if (is_positioned(model.description)) {
     warn_of_thrust(*model.description.station_keeping, state, list);
   } else if (effective < 3 && hull_is_free(model.description)) {
     list.push_back(
-        fmt::format("{}: only {} of the mooring lines pull; fewer than three do not hold surge, sway and yaw.",
-                    state.name, effective));
+        Finding{FindingCode::vessel_not_held,
+                fmt::format("{}: only {} of the mooring lines pull; fewer than three do not hold surge, sway and yaw.",
+                            state.name, effective)}
+            .on("vessel"));
   }
   warn_of_large_offset(model.description.vessel, state, list);
   return list;

@@ -1,6 +1,8 @@
 /// Results and warnings from a hull at rest on its lines.
 #pragma once
 
+#include "base/finding.h"
+
 #include "model/model.h"
 #include "moorings/equilibrium.h"
 #include "results/mooring_results.h"
@@ -15,7 +17,7 @@ MooredState moored_state(const std::string& name, const Model& model, const Moor
                          const HullAtRest& hull, const RestOutcome& rest, bool free);
 
 /// What a user should look at, each naming line and stage.
-std::vector<std::string> mooring_warnings(const Model& model, const MooringSpread& spread, const MooredState& state);
+Findings mooring_findings(const Model& model, const MooringSpread& spread, const MooredState& state);
 
 /// What the analysis takes for granted.
 std::vector<std::string> mooring_assumptions(const Model& model);

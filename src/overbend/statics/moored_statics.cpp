@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/version.h"
-#include "model/model_warnings.h"
+#include "model/model_findings.h"
 #include "model/station.h"
 #include "moorings/anchor_plan.h"
 #include "moorings/planner.h"
@@ -29,9 +29,7 @@ class Stages {
       return std::nullopt;
     }
     MooredState found = moored_state(name, model_, moored.spread, moored.hull, moored.rest, moored.free);
-    for (std::string& warning : mooring_warnings(model_, moored.spread, found)) {
-      results_.warnings.push_back(std::move(warning));
-    }
+    append(results_.findings, mooring_findings(model_, moored.spread, found));
     return found;
   }
   bool add(const std::string& name, const MooredHull& moored) {
@@ -171,7 +169,7 @@ std::variant<MooringResults, StaticFailure> moored_results(const Model& model, c
   results.title = d.title;
   results.version = OVERBEND_VERSION;
   results.assumptions = mooring_assumptions(model);
-  results.warnings = model_warnings(model);
+  results.findings = model_findings(model);
   Stages stages(model, results);
   std::optional<MooredState> rest = stages.state("static", moored);
   if (!rest) return stages.failure();

@@ -10,7 +10,7 @@
 #include "base/version.h"
 #include "mechanics/point_load.h"
 #include "mechanics/quadrature.h"
-#include "model/model_warnings.h"
+#include "model/model_findings.h"
 #include "statics/bed_contacts.h"
 #include "statics/current_effect.h"
 #include "statics/recovery_bed.h"
@@ -20,7 +20,7 @@
 #include "statics/recovery_structures.h"
 #include "statics/recovery_supports.h"
 #include "statics/recovery_target.h"
-#include "statics/static_warnings.h"
+#include "statics/static_findings.h"
 #include "statics/touchdown.h"
 #include "system/find_regions.h"
 
@@ -277,7 +277,7 @@ void copy_model(StaticResults& results, const Model& model) {
   results.title = model.description.title;
   results.version = kVersion;
   results.assumptions = assumptions(model);
-  results.warnings = model_warnings(model);
+  results.findings = model_findings(model);
   for (const Section& s : model.sections) {
     results.sections.push_back({s.name, s.EA, s.EI, s.weight_in_air, s.weight_submerged, s.steel_area, s.second_moment,
                                 s.outer_diameter, s.mass()});
@@ -306,11 +306,16 @@ void warn_of_roll(StaticResults& results) {
   if (0.5 * results.steel_outer_diameter * results.residual_curvature < kWorthSaying) {
     return;
   }
-  results.warnings.push_back(fmt::format(
-      "the pipe has yielded over the supports and reaches touchdown with a residual curvature of {:.5f} 1/m; "
-      "a real pipe rolls until this curvature is favourable, the model does not, so the bending moments of the sagbend "
-      "are an upper bound",
-      results.residual_curvature));
+  results.findings.push_back(Finding{
+      FindingCode::residual_curvature,
+      fmt::format(
+          "the pipe has yielded over the supports and reaches touchdown with a residual curvature of {:.5f} 1/m; "
+          "a real pipe rolls until this curvature is favourable, the model does not, so the bending moments of the "
+          "sagbend "
+          "are an upper bound",
+          results.residual_curvature)}
+                                 .on("pipe")
+                                 .with("curvature", results.residual_curvature, "1/m"));
 }
 
 /// Of a solution on its system, evaluated there.

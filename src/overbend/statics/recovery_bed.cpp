@@ -154,25 +154,35 @@ void warn_of_uneven_bed(const Model& model, StaticResults& results) {
   if (!spans.empty()) {
     const FreeSpanResult longest =
         *std::ranges::max_element(spans, {}, [](const FreeSpanResult& span) { return span.length; });
-    results.warnings.push_back(fmt::format(
-        "the laid pipe has {} free span{}: the longest is {:.1f} m, from {:.1f} m astern of the stern shoe, "
-        "with a gap of {:.2f} m",
-        spans.size(), spans.size() == 1 ? "" : "s", longest.length, longest.x_from, longest.largest_gap));
+    results.findings.push_back(Finding{
+        FindingCode::free_spans,
+        fmt::format(
+            "the laid pipe has {} free span{}: the longest is {:.1f} m, from {:.1f} m astern of the stern shoe, "
+            "with a gap of {:.2f} m",
+            spans.size(), spans.size() == 1 ? "" : "s", longest.length, longest.x_from, longest.largest_gap)}
+                                   .on("pipe")
+                                   .with("length", longest.length, "m")
+                                   .with("gap", longest.largest_gap, "m"));
   }
   if (results.bed->hogging_moment > std::abs(results.sagbend.bending_moment.value)) {
-    results.warnings.push_back(fmt::format(
-        "the seabed bends the laid pipe more than the sagbend: {:.0f} kNm hogging over the crest at {:.1f} m "
-        "astern of the stern shoe, {:.0f} kNm in the sagbend",
-        1e-3 * results.bed->hogging_moment, results.bed->hogging_x,
-        1e-3 * std::abs(results.sagbend.bending_moment.value)));
+    results.findings.push_back(Finding{
+        FindingCode::moment_over_crest,
+        fmt::format(
+            "the seabed bends the laid pipe more than the sagbend: {:.0f} kNm hogging over the crest at {:.1f} m "
+            "astern of the stern shoe, {:.0f} kNm in the sagbend",
+            1e-3 * results.bed->hogging_moment, results.bed->hogging_x,
+            1e-3 * std::abs(results.sagbend.bending_moment.value))}
+                                   .on("pipe")
+                                   .with("moment", results.bed->hogging_moment, "N m"));
   }
   const BedShape& shape = *model.seabed.surface.shape();
   const bool leaves = std::ranges::any_of(
       results.stations, [&](const Station& at) { return at.s <= results.touchdown.s && outside(shape, at.p_W); });
   if (leaves) {
-    results.warnings.push_back(
-        "the laid pipe leaves the area of environment.seabed.bathymetry; the depth beyond its edge is that of the "
-        "edge");
+    results.findings.push_back(
+        {FindingCode::outside_bathymetry,
+         "the laid pipe leaves the area of environment.seabed.bathymetry; the depth beyond its edge is that of the "
+         "edge"});
   }
 }
 

@@ -100,17 +100,26 @@ std::string called(const StingerSectionResult& section) {
 
 void warn_of(StaticResults& results, const StingerSectionResult& section, bool touched) {
   if (section.at_stop) {
-    results.warnings.push_back(fmt::format("{} lies at its {} stop, which carries {:.0f} kN m", called(section),
-                                           section.stop_moment < 0.0 ? "lower" : "upper",
-                                           1e-3 * std::abs(section.stop_moment)));
+    results.findings.push_back(
+        Finding{FindingCode::stinger_at_stop,
+                fmt::format("{} lies at its {} stop, which carries {:.0f} kN m", called(section),
+                            section.stop_moment < 0.0 ? "lower" : "upper", 1e-3 * std::abs(section.stop_moment))}
+            .on(called(section))
+            .with("moment", section.stop_moment, "N m"));
   }
   if (section.floats && !touched) {
-    results.warnings.push_back(
-        fmt::format("{} hangs free at an angle of {:.2f} deg: the pipe does not touch its rollers", called(section),
-                    section.angle / kDegree));
+    results.findings.push_back(
+        Finding{FindingCode::stinger_hangs_free,
+                fmt::format("{} hangs free at an angle of {:.2f} deg: the pipe does not touch its rollers",
+                            called(section), section.angle / kDegree)}
+            .on(called(section))
+            .with("angle", section.angle, "rad"));
   }
   if (section.floats && section.stiffness <= 0.0) {
-    results.warnings.push_back(fmt::format("{} is not stable where it rests: a small turn grows", called(section)));
+    results.findings.push_back(
+        Finding{FindingCode::stinger_unstable,
+                fmt::format("{} is not stable where it rests: a small turn grows", called(section))}
+            .on(called(section)));
   }
 }
 
@@ -133,7 +142,7 @@ void recover_stinger(StaticResults& results, const StaticSystem& system, const S
     warn_of(results, section, !pipe[i].empty());
     results.stinger.push_back(std::move(section));
   }
-  results.warnings.insert(results.warnings.end(), solution.stinger.warnings.begin(), solution.stinger.warnings.end());
+  results.findings.insert(results.findings.end(), solution.stinger.findings.begin(), solution.stinger.findings.end());
 }
 
 }  // namespace overbend

@@ -195,9 +195,12 @@ void note_runoff(StaticResults& results, const SupportResult& box) {
   for (const RowResult& row : box.rows) {
     for (const RollerResult& roller : row.rollers) {
       if (roller.off_end > 0.0 && roller.reaction > 0.0) {
-        results.warnings.push_back("the pipe runs off the end of a roller: " + box.name + ", " + word(roller.position) +
-                                   " roller, by " +
-                                   std::to_string(static_cast<int>(std::lround(1e3 * roller.off_end))) + " mm");
+        results.findings.push_back(
+            Finding{FindingCode::pipe_at_roller_end,
+                    "the pipe runs off the end of a roller: " + box.name + ", " + word(roller.position) +
+                        " roller, by " + std::to_string(static_cast<int>(std::lround(1e3 * roller.off_end))) + " mm"}
+                .on(box.name)
+                .with("distance", roller.off_end, "m"));
       }
     }
   }
@@ -217,14 +220,20 @@ struct BoxesLeft {
   }
   void note(StaticResults& results) const {
     if (first.empty()) return;
-    results.warnings.push_back(fmt::format(
-        "the pipe has left '{}'{} over the side to {}: it lies up to {:.2f} m beyond the ends of the bottom rollers, "
-        "which no longer hold it{}",
-        first, more > 0 ? fmt::format(" and {} more box{}", more, more > 1 ? "es" : "") : "", side, beside,
-        2 * (more + 1) > static_cast<int>(results.supports.size())
-            ? ". No equilibrium was found on most of its rollers: this is hardly the lay that is meant, and a run may "
-              "depart from it; check tension, current and the places of the boxes"
-            : ""));
+    results.findings.push_back(Finding{
+        FindingCode::pipe_off_rollers,
+        fmt::format("the pipe has left '{}'{} over the side to {}: it lies up to {:.2f} m beyond the ends of the "
+                    "bottom rollers, "
+                    "which no longer hold it{}",
+                    first, more > 0 ? fmt::format(" and {} more box{}", more, more > 1 ? "es" : "") : "", side, beside,
+                    2 * (more + 1) > static_cast<int>(results.supports.size())
+                        ? ". No equilibrium was found on most of its rollers: this is hardly the lay that is meant, "
+                          "and a run may "
+                          "depart from it; check tension, current and the places of the boxes"
+                        : "")}
+                                   .on(first)
+                                   .with("distance", beside, "m")
+                                   .with("boxes", more + 1, "1"));
   }
 };
 

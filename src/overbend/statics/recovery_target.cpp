@@ -19,16 +19,22 @@ void warn_of_missed_target(StaticResults& results, const Model& model) {
   if (d.tensioner.tension) {
     const double wanted = *d.tensioner.tension;
     if (std::abs(results.top_tension - wanted) > kWorthSaying * wanted) {
-      results.warnings.push_back(fmt::format(
-          "the tension at the tensioner is {:.2f} kN, {:.2f} kN was specified: the elements are too long for such a "
-          "sharp bend; look for a box off the line of the pipe, or reduce analysis.mesh.overbend_element",
-          1e-3 * results.top_tension, 1e-3 * wanted));
+      results.findings.push_back(Finding{
+          FindingCode::tension_target_missed,
+          fmt::format("the tension at the tensioner is {:.2f} kN, {:.2f} kN was specified: the elements are too long "
+                      "for such a "
+                      "sharp bend; look for a box off the line of the pipe, or reduce analysis.mesh.overbend_element",
+                      1e-3 * results.top_tension, 1e-3 * wanted)}
+                                     .on("tensioner")
+                                     .with("tension", results.top_tension, "N"));
     }
   } else if (d.pipe.anchor) {
     const double wanted = *d.pipe.anchor, reached = results.stations.front().astern;
     if (std::abs(reached - wanted) > kWorthSaying * std::abs(wanted)) {
-      results.warnings.push_back(
-          fmt::format("the anchor is {:.2f} m astern of the stern shoe, {:.2f} m was specified", reached, wanted));
+      results.findings.push_back(Finding{
+          FindingCode::anchor_target_missed,
+          fmt::format("the anchor is {:.2f} m astern of the stern shoe, {:.2f} m was specified", reached, wanted)}
+                                     .with("distance", reached, "m"));
     }
   }
 }

@@ -13,7 +13,7 @@ constexpr double kBears = 100.0;  ///< Force across a box from which its side ro
 
 }  // namespace
 
-std::optional<std::string> warn_of_side_rollers(const Description& description, const StaticResults& results) {
+std::optional<Finding> find_side_roller_contact(const Description& description, const StaticResults& results) {
   const bool held = has_mooring_lines(description) && description.moorings->find == FindMooring::lengths;
   if (held || !has_station(description)) return std::nullopt;
   std::string boxes;
@@ -23,9 +23,11 @@ std::optional<std::string> warn_of_side_rollers(const Description& description, 
         fmt::format("{}'{}' ({:.1f} kN)", boxes.empty() ? "" : ", ", support.name, 1e-3 * std::abs(support.lateral));
   }
   if (boxes.empty()) return std::nullopt;
-  return "the pipe bears on side rollers of " + boxes +
-         " while the vessel gives way to it: there may be more than one equilibrium, and which of them holds hangs on "
-         "how the vessel came there; this one was found from the vessel as drawn";
+  return Finding{FindingCode::other_equilibrium_possible,
+                 "the pipe bears on side rollers of " + boxes +
+                     " while the vessel gives way to it: more than one equilibrium is possible, and which one holds "
+                     "depends on how the vessel came there; this one was found from the nominal pose"}
+      .on("vessel");
 }
 
 }  // namespace overbend

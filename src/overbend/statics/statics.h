@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/finding.h"
 #include "moorings/move_path.h"
 #include "results/static_results.h"
 #include "statics/static_system.h"
@@ -26,7 +27,7 @@ struct StingerAtRest {
   std::vector<double> angles;     ///< Of each section about its own hinge [rad].
   std::vector<double> stiffness;  ///< Fall of the moments with the angles of the floating ones, row by row [N m/rad].
   std::vector<double> angle_up, angle_down;  ///< Between which hinge friction may leave each section [rad].
-  std::vector<std::string> warnings;
+  Findings findings;
 };
 
 /// An equilibrium with the mesh it stands on: enough to recover results, to start the next case, to start dynamics.

@@ -39,8 +39,9 @@ void find_friction_range(const Model& model, StaticSolution& solution, std::size
   if (up) solution.stinger.angle_up[section] = *up;
   if (down) solution.stinger.angle_down[section] = *down;
   if (!up || !down) {
-    solution.stinger.warnings.push_back(
-        fmt::format("hinge friction may leave the stinger further {} than could be found", up ? "down" : "up"));
+    solution.stinger.findings.push_back(
+        {FindingCode::stinger_friction_range,
+         fmt::format("hinge friction may leave the stinger further {} than could be found", up ? "down" : "up")});
   }
 }
 
@@ -85,10 +86,13 @@ bool pipe_is_off(const Model& model, const StaticSolution& solution, std::size_t
 void look_for_another(const Model& model, StaticSolution& solution, std::size_t section) {
   const std::optional<double> below = rest_alone_below(model, solution, section);
   if (!below || !pipe_is_off(model, solution, section, *below)) return;
-  solution.stinger.warnings.push_back(
+  solution.stinger.findings.push_back(Finding{
+      FindingCode::other_equilibrium_possible,
       fmt::format("the stinger has another equilibrium near an angle of {:.1f} deg, where the pipe does not touch it; "
                   "the one found is that reached from where it is drawn",
-                  *below / kDegree));
+                  *below / kDegree)}
+                                          .on("stinger")
+                                          .with("angle", *below, "rad"));
 }
 
 }  // namespace
@@ -147,7 +151,7 @@ void measure_stinger(const Model& model, StaticSolution& solution) {
   const SupportsDescription& supports = model.description.supports;
   if (supports.sections.empty()) return;
   StingerAtRest& stinger = solution.stinger;
-  stinger.warnings.clear();
+  stinger.findings.clear();
   stinger.angle_up = stinger.angle_down = stinger.angles;
   const std::vector<std::size_t> floating = floating_sections(supports);
   if (floating.empty()) return;
@@ -157,7 +161,9 @@ void measure_stinger(const Model& model, StaticSolution& solution) {
     stinger.stiffness.assign(falls->data(), falls->data() + falls->size());
     const Eigen::MatrixXd even = 0.5 * (*falls + falls->transpose());
     if (floating.size() > 1 && Eigen::LLT<Eigen::MatrixXd>(even).info() != Eigen::Success) {
-      stinger.warnings.emplace_back("the stinger is not stable where it rests: a small turn of its sections grows");
+      stinger.findings.push_back(Finding{FindingCode::stinger_unstable,
+                                         "the stinger is not stable where it rests: a small turn of its sections grows"}
+                                     .on("stinger"));
     }
   }
   for (const std::size_t section : floating) find_friction_range(model, solution, section);

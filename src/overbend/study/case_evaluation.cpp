@@ -10,7 +10,7 @@
 #include "modelfile/seek_reader.h"
 #include "resultfiles/case_summary.h"
 #include "resultfiles/seek_writer.h"
-#include "results/warnings.h"
+#include "results/findings.h"
 #include "results/worst_stage.h"
 #include "runstore/run_store.h"
 #include "runstore/staged_folder.h"
@@ -34,12 +34,11 @@ std::unique_lock<FileLock> held(FileLock* files) {
   return files != nullptr ? std::unique_lock(*files) : std::unique_lock<FileLock>();
 }
 
-void judge(const CheckTable& checks, const std::vector<std::string>& warnings, CaseAnswer& answer) {
-  answer.passed = true;
-  answer.warnings = together(warnings, unjudged_checks(checks));
+void judge(const CheckTable& checks, const Findings& findings, CaseAnswer& answer) {
+  answer.verdict = verdict_kind(checks, findings);
+  answer.findings = findings;
   const CheckRow* worst = worst_check(checks);
   if (worst == nullptr) return;
-  answer.passed = worst->status != CheckStatus::exceeded;
   answer.governing = worst->name;
   answer.utilisation = worst->utilisation;
 }
@@ -55,18 +54,17 @@ CaseAnswer answer_statics(const CaseBase& base, const CaseQuestion& question, Ca
   ModelStatics found = solve_beside(model, starts, &neighbour.found);
   if (found.failure) return {failed_end(*found.failure, description)};
   CaseAnswer answer;
-  answer.passed = true;
+  tell_hull(model, found);
   if (found.lay) {
-    judge(found.lay->checks, found.lay->warnings, answer);
+    judge(found.lay->checks, found.lay->findings, answer);
     answer.summary = static_summary_json(*found.lay);
   } else if (found.moorings) {
-    answer.warnings = found.moorings->warnings;
+    judge(found.moorings->checks, found.moorings->findings, answer);
     answer.summary = mooring_summary_json(*found.moorings);
   } else {
     return ended(RunEnding::wrong_input, "a study of statics needs a lay or a vessel on mooring lines");
   }
   if (conduct.keep) {
-    tell_hull(model, found);
     const auto hold = held(conduct.files);
     write_model_statics(found, description, conduct.folder);
   }
@@ -106,7 +104,7 @@ CaseAnswer answer_dynamics(const CaseBase& base, const CaseQuestion& question, C
   }
   CaseAnswer answer{static_cast<const RunEnd&>(end)};
   if (end.ending != RunEnding::done) return answer;
-  judge(end.results->checks, all_warnings(prepared.statics, *end.results), answer);
+  judge(end.results->checks, all_findings(prepared.statics, *end.results), answer);
   answer.peaks = std::move(end.peaks);
   answer.summary = dynamic_summary_json(prepared.statics, *end.results);
   return answer;
@@ -137,24 +135,20 @@ CaseAnswer answer_operation(const CaseBase& base, const CaseQuestion& question, 
   });
   if (stopped) return ended(RunEnding::interrupted, "interrupted");
   CaseAnswer answer;
-  answer.warnings = results.warnings;
-  if (const StageResult* worst = worst_stage(results)) judge(worst->lay->checks, results.warnings, answer);
+  const Findings findings = operation_findings(results);
+  if (const StageResult* worst = worst_stage(results)) judge(worst->lay->checks, findings, answer);
+  answer.findings = findings;
   std::string failed;
   std::size_t standing = 0;
   for (const StageResult& stage : results.stages) {
     if (stage.lay) {
       ++standing;
-      answer.warnings = together(std::move(answer.warnings), stage.lay->warnings);
-      answer.warnings = together(std::move(answer.warnings), unjudged_checks(stage.lay->checks));
     } else if (failed.empty()) {
       failed = fmt::format("no equilibrium at stage {}: {}", stage.stage.name, stage.failure->why);
     }
   }
   if (standing == 0) return ended(RunEnding::no_solution, "no solution: " + failed);
-  if (!failed.empty()) {
-    answer.passed = false;
-    answer.warnings.push_back(failed);
-  }
+  if (!failed.empty()) answer.verdict = VerdictKind::exceeded;
   answer.summary = worst_stage_summary(results);
   if (conduct.keep) {
     const auto hold = held(conduct.files);
@@ -170,11 +164,11 @@ CaseAnswer answer_seek(const CaseBase& base, const CaseQuestion& question, const
   const SeekRun run = run_seek(description, *wanted);
   if (!run.results.found) return ended(RunEnding::no_solution, "no solution: " + run.results.why);
   CaseAnswer answer;
-  answer.passed = true;
   if (run.statics.lay) {
-    judge(run.statics.lay->checks, run.statics.lay->warnings, answer);
+    judge(run.statics.lay->checks, run.statics.lay->findings, answer);
     answer.summary = static_summary_json(*run.statics.lay);
   } else {
+    judge(run.statics.moorings->checks, run.statics.moorings->findings, answer);
     answer.summary = mooring_summary_json(*run.statics.moorings);
   }
   answer.summary["seek"] = seek_json(run.results);

@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "base/file_lock.h"
+#include "base/finding.h"
 #include "base/yaml_document.h"
 #include "model/study_description.h"
 #include "modelfile/yaml_edit.h"
 #include "recording/run_dynamics.h"
 #include "resultfiles/summary_json.h"
+#include "results/verdict.h"
 #include "study/lay_beside.h"
 #include "study/peaks_of_history.h"
 #include "study/prepared_case.h"
@@ -85,12 +87,12 @@ struct CaseConduct {
 };
 
 /// What came of it.
-struct CaseAnswer : RunEnd {            // NOLINT(bugprone-exception-escape): what moving JSON could throw it never does
-  Json summary{};                       ///< As summary.json; null where there is no answer.
-  bool passed = false;                  ///< No governing check is exceeded.
+struct CaseAnswer : RunEnd {  // NOLINT(bugprone-exception-escape): what moving JSON could throw it never does
+  Json summary{};             ///< As summary.json; null where there is no answer.
+  VerdictKind verdict = VerdictKind::not_judged;
   std::string governing{};              ///< The check that is used most; empty where none is judged.
   std::optional<double> utilisation{};  ///< Its utilisation.
-  std::vector<std::string> warnings{};
+  Findings findings{};
   std::vector<HistoryPeaks> peaks{};  ///< Of a dynamic analysis that leaves no files.
 };
 

@@ -9,7 +9,7 @@
 #include "numerics/welch.h"
 #include "runstore/dynamic_histories.h"
 #include "study/non_stationary.h"
-#include "study/run_warnings.h"
+#include "study/run_findings.h"
 
 namespace overbend {
 namespace {
@@ -145,6 +145,7 @@ void finish_histories(const Description& description, DynamicResults& results, c
   warn_of_sea(description, results);
   if (!travel.empty()) warn_of_tensioners_chance(description, after_build_up(time, travel), results);
   warn_of_large_motion(description.vessel, results);
+  accept(results.findings, description.checks.accepted_findings);
 }
 
 }  // namespace overbend

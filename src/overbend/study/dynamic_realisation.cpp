@@ -10,7 +10,7 @@
 #include "runstore/staged_folder.h"
 #include "study/dynamic_finish.h"
 #include "study/motion_parts.h"
-#include "study/run_warnings.h"
+#include "study/run_findings.h"
 
 namespace overbend {
 namespace {
@@ -90,10 +90,10 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   if (outcome.stopped) {
     const UninterruptedScope put_away;
     if (!RunStore::find(folder)) begun->store.remove();
-    if (outcome.results && shared.statics.has_pipe()) fill_checks(shared.model, shared.statics, *outcome.results);
+    if (outcome.results) fill_checks(shared.model, shared.statics, *outcome.results);
     return {{RunEnding::interrupted, "interrupted"}, {}, std::move(outcome.results)};
   }
-  if (outcome.results && shared.statics.has_pipe()) fill_checks(shared.model, shared.statics, *outcome.results);
+  if (outcome.results) fill_checks(shared.model, shared.statics, *outcome.results);
   if (outcome.failure) {
     begun->store.remove();
     return {failed_end(*outcome.failure, shared.description)};

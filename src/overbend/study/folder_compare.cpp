@@ -11,7 +11,7 @@
 #include "resultfiles/dynamic_reader.h"
 #include "resultfiles/operation_reader.h"
 #include "results/fields/check_fields.h"
-#include "results/warnings.h"
+#include "results/findings.h"
 #include "study/dynamic_values.h"
 #include "study/folder_figures.h"
 #include "study/moored_values.h"
@@ -73,7 +73,7 @@ void take_statics(Read& read, const StoredStatics& stored) {
   read.model_text = stored.model_text;
   read.folder.title = stored.results.title;
   read.folder.version = stored.results.version;
-  read.folder.warnings = static_warnings(stored.results);
+  read.folder.findings = static_findings(stored.results);
   if (stored.results.has_pipe()) take_pipe(read, stored.results);
   if (stored.results.moorings) append(read.values, mooring_values(*stored.results.moorings));
 }
@@ -84,7 +84,7 @@ void take_dynamics(Read& read, const fs::path& h5) {
   if (stored.statics.results.has_pipe()) append(read.values, dynamic_values(stored.statics.results, stored.results));
   append(read.values, moored_dynamic_values(stored.results));
   take_checks(read, "dynamic.", stored.results.checks);
-  read.folder.warnings = all_warnings(stored.statics.results, stored.results);
+  read.folder.findings = all_findings(stored.statics.results, stored.results);
   if (const CheckRow* worst = worst_check(stored.results.checks)) read.folder.governing = worst->name;
   add_curves(read.curves, stored.statics.results, stored.results);
 }
@@ -104,7 +104,7 @@ void take_operation(Read& read, const fs::path& h5) {
   read.model_text = stored.model_text;
   read.folder.title = stored.results.title;
   read.folder.version = stored.results.version;
-  read.folder.warnings = stored.results.warnings;
+  read.folder.findings = operation_findings(stored.results);
   for (const StageResult& stage : stored.results.stages) {
     if (!stage.lay) continue;
     for (ResultValue value : result_values(*stage.lay)) {
@@ -119,18 +119,13 @@ void take_operation(Read& read, const fs::path& h5) {
 void take_seeds(Read& read, const fs::path& folder, const Json& summary) {
   const Json& seeds = summary["seeds"];
   for (const Json& run : seeds["runs"]) {
-    for (const Json& warning : run["warnings"]) {
-      const std::string text = warning.get<std::string>();
-      if (std::ranges::find(read.folder.warnings, text) == read.folder.warnings.end()) {
-        read.folder.warnings.push_back(text);
-      }
-    }
+    read.folder.findings = merge(std::move(read.folder.findings), read_findings(run["findings"]));
   }
   if (seeds["runs"].empty()) throw std::runtime_error(folder.string() + ": none of its seeds has results");
   const fs::path first = folder / seeds["runs"][0]["folder"].get<std::string>() / "results.h5";
-  const std::vector<std::string> warnings = read.folder.warnings;
+  const Findings findings = read.folder.findings;
   take_statics(read, read_rest(first));
-  read.folder.warnings.insert(read.folder.warnings.end(), warnings.begin(), warnings.end());
+  read.folder.findings.insert(read.folder.findings.end(), findings.begin(), findings.end());
   for (const auto& item : seeds["statistics"].items()) {
     const std::string& name = item.key();
     const Json& statistics = item.value();

@@ -53,9 +53,10 @@ ModelStatics solve_beside(Model& model, const std::vector<const LayStart*>& star
     if (alone && start == nullptr) continue;
     if (!attempt(start != nullptr ? &start->lay : nullptr, start)) continue;
     if (alone && statics.lay) {
-      statics.lay->warnings.emplace_back(
-          "statics find no equilibrium from nothing; this one was reached from a lay beside it, and there may be "
-          "others");
+      statics.lay->findings.push_back(
+          {FindingCode::other_equilibrium_possible,
+           "statics find no equilibrium from nothing; this one was reached from a lay beside it, and there may be "
+           "others"});
     }
     break;
   }

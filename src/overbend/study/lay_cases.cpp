@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/finding.h"
 #include "base/units.h"
-#include "report/warning_weight.h"
-#include "results/warnings.h"
+#include "results/findings.h"
 #include "study/limit_search.h"
 #include "study/static_run.h"
 
@@ -45,11 +45,8 @@ LayTableValues values_of(const StaticResults& r) {
   if (const CheckRow* worst = worst_check(r.checks)) {
     v.utilisation = worst->utilisation;
     v.worst_check = worst->name;
-    v.passed = worst->status != CheckStatus::exceeded;
   }
-  for (const CheckRow& row : r.checks.rows) {
-    v.passed = v.passed && !(row.governing && row.status == CheckStatus::exceeded);
-  }
+  v.verdict = verdict_kind(r.checks, r.findings);
   return v;
 }
 
@@ -72,8 +69,10 @@ std::pair<double, double> tensions_of(const Model& model) {
   return {std::clamp(kLeastShare * hangs, kLeastOfYield * yields, 0.5 * yields), yields};
 }
 
-std::string exceeded_words(const LayTableValues& v) {
-  return v.passed ? "" : fmt::format("{} is exceeded", v.worst_check);
+/// Why it does not pass; empty where it does.
+std::string failure_reason(const LayTableValues& v, const Findings& serious) {
+  if (v.verdict == VerdictKind::exceeded) return fmt::format("{} is exceeded", v.worst_check);
+  return v.passed() ? "" : serious_codes(serious);
 }
 
 /// Where none passes; with words on what was searched, and what stops it at either end.
@@ -136,8 +135,8 @@ LayCase LayCases::solve(const Description& description, double tension, double d
 
 LayCase LayCases::told(double tension, double depth, const StaticResults& results) {
   LayCase found{tension, depth, values_of(results), {}};
-  found.reason = exceeded_words(*found.lay);
-  found.serious = serious_warnings(together(results.warnings, unjudged_checks(results.checks)));
+  found.serious = serious_findings(results.findings);
+  found.reason = failure_reason(*found.lay, found.serious);
   return found;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/finding.h"
 #include "model/description.h"
 #include "results/lay_table_results.h"
 #include "study/lay_beside.h"
@@ -18,10 +19,10 @@ struct LayCase {
   double tension = 0.0;  ///< At the tensioner [N].
   double depth = 0.0;    ///< [m]
   std::optional<LayTableValues> lay;
-  std::string reason;                  ///< Why there is none, or which check is exceeded.
-  std::vector<std::string> serious{};  ///< Serious warnings of its statics: checks judge the pipe, not its place.
+  std::string reason;  ///< Why there is none, or which check is exceeded.
+  Findings serious{};  ///< Serious findings of its statics: checks judge the pipe, not its place.
 
-  bool passed() const { return lay && lay->passed; }
+  bool passed() const { return lay && lay->passed(); }
 };
 
 class LayCases {

@@ -33,20 +33,25 @@ class TableMaker {
 
   LayTable make() {
     if (is_lay_operation(cases_.description().operation.type)) {
-      table_.warnings.push_back(no_stage_warning(cases_.description(), false));
+      table_.findings.push_back(no_stage_finding(cases_.description(), false));
     }
     if (!cases_.own().lay) {
-      table_.warnings.push_back("the model's own lay has no equilibrium: " + cases_.own().reason);
+      table_.findings.push_back(
+          {FindingCode::case_without_solution, "the model's own lay has no equilibrium: " + cases_.own().reason});
     }
     if (table_.route) {
       along_route();
     } else {
       steps();
     }
-    if (serious_ > 0) {
-      table_.warnings.push_back(fmt::format(
-          "{} of {} rows pass every check and have serious warnings, which no check judges: see their remarks",
-          serious_, table_.rows.size()));
+    std::vector<Findings> rows;
+    for (const LayTableRow& row : table_.rows) {
+      if (row.lay) rows.push_back(row.serious);
+    }
+    for (const SharedFinding& shared : shared_findings(rows)) {
+      Finding finding = shared.worst;
+      finding.message = fmt::format("{} of {} lays: {}", shared.runs.size(), rows.size(), shared.text());
+      table_.findings.push_back(std::move(finding));
     }
     table_.assumptions = cases_.assumptions();
     table_.solves = cases_.solves();
@@ -71,14 +76,10 @@ class TableMaker {
     row.varied = value;
     row.depth = lay.depth;
     row.lay = lay.lay;
-    row.reason = lay.reason;
-    return row;
-  }
-
-  /// Every check may pass while the pipe lies beside its stinger: the row and the table say so.
-  void add_serious(LayTableRow& row, const LayCase& lay) {
+    const bool reserved = lay.lay && lay.lay->verdict == VerdictKind::reserved;
+    row.reason = reserved && kind == LayRowKind::step ? "" : lay.reason;  // its findings say it
     row.serious = lay.serious;
-    if (!lay.serious.empty() && lay.passed()) ++serious_;
+    return row;
   }
 
   bool add(LayTableRow row, int solves_before, std::size_t of) {
@@ -94,7 +95,6 @@ class TableMaker {
       const LayCase lay = sought ? cases_.at_least_tension(point.depth) : cases_.at(cases_.own_tension(), point.depth);
       LayTableRow row = row_of(LayRowKind::step, lay.tension, lay);
       row.distance = point.distance;
-      add_serious(row, lay);
       if (!add(std::move(row), before, asked_.profile.size())) return;
     }
   }
@@ -114,7 +114,8 @@ class TableMaker {
   void steps() {
     const auto [from, to] = limits();
     if (from <= 0.0 || to <= 0.0) {
-      table_.warnings.push_back("what to begin and end with does not follow from the model: give from and to");
+      table_.findings.push_back({FindingCode::table_range_unknown,
+                                 "what to begin and end with does not follow from the model: give from and to"});
       return;
     }
     std::vector<TriedLay> tried;
@@ -123,7 +124,6 @@ class TableMaker {
       const int before = cases_.solves();
       tried.push_back({value, lay_at(value)});
       LayTableRow row = row_of(LayRowKind::step, value, tried.back().lay);
-      add_serious(row, tried.back().lay);
       if (!add(std::move(row), before, static_cast<std::size_t>(asked_.steps) + 1)) return;
     }
     if (from > to) std::reverse(tried.begin(), tried.end());
@@ -139,7 +139,7 @@ class TableMaker {
     const auto passes = [](const TriedLay& at) { return at.lay.passed(); };
     const auto first = std::find_if(tried.begin(), tried.end(), passes);
     if (first == tried.end()) {
-      table_.warnings.emplace_back("no row of the table passes every check");
+      table_.findings.push_back({FindingCode::no_passing_value, "no row of the table passes"});
       return;
     }
     const auto last = std::find_if(tried.rbegin(), tried.rend(), passes);
@@ -155,15 +155,14 @@ class TableMaker {
     const std::optional<LayLimit> limit =
         beyond != nullptr ? narrowed(passing, *beyond, {}, try_at) : limit_beyond(passing, down, {}, try_at);
     if (!limit) {
-      table_.warnings.push_back(
-          fmt::format("no {} limit of what is varied is found: every check is still passed far "
-                      "beyond the table",
-                      down ? "lower" : "upper"));
+      table_.findings.push_back(
+          {FindingCode::limit_not_found, fmt::format("no {} limit of what is varied is found: the lay still passes far "
+                                                     "beyond the table",
+                                                     down ? "lower" : "upper")});
       return;
     }
     LayTableRow row = row_of(kind, limit->passing.value, limit->passing.lay);
     row.reason = fmt::format("{} it, {}", down ? "below" : "above", limit->beyond.lay.reason);
-    add_serious(row, limit->passing.lay);
     row.solves = cases_.solves() - before;
     table_.rows.push_back(std::move(row));
   }
@@ -177,8 +176,9 @@ class TableMaker {
       std::size_t next = i + 1;
       while (next < tried.size() && !passes(next)) ++next;
       if (next == tried.size()) return;
-      table_.warnings.push_back(fmt::format("at {:.4g} {}, between values that pass, {}", tried[i].value * unit.factor,
-                                            unit.name, tried[i].lay.reason));
+      table_.findings.push_back({FindingCode::gap_between_passing_values,
+                                 fmt::format("at {:.4g} {}, between values that pass, {}", tried[i].value * unit.factor,
+                                             unit.name, tried[i].lay.reason)});
     }
   }
 
@@ -186,7 +186,6 @@ class TableMaker {
   const LayTableDescription& asked_;
   Told told_;
   LayTable table_;
-  int serious_ = 0;  ///< Rows that pass and have serious warnings.
 };
 
 }  // namespace

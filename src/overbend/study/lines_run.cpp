@@ -7,6 +7,7 @@
 
 #include "base/file_lock.h"
 #include "base/interruption.h"
+#include "checks/run_checks.h"
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/lines_in_time.h"
 #include "dynamics/start_leap.h"
@@ -19,7 +20,7 @@
 #include "runstore/staged_folder.h"
 #include "statics/lines_recovery.h"
 #include "study/prepared_case.h"
-#include "study/run_warnings.h"
+#include "study/run_findings.h"
 #include "study/seeds_gather.h"
 
 namespace overbend {
@@ -101,29 +102,42 @@ void warn_of_motion(const Model& model, const DynamicOptions& options, LinesResu
   for (std::size_t i = 0; i < results.lines.size(); ++i) {
     const LineResult& line = results.lines[i];
     if (const double use = line.utilisation_in_time.value_or(0.0); use > 1.0) {
-      results.warnings.push_back(
-          fmt::format("line \"{}\": its largest tension of the run is {:.2f} times its breaking load", line.name, use));
+      results.findings.push_back(Finding{
+          FindingCode::breaking_load_exceeded,
+          fmt::format("line \"{}\": its largest tension of the run is {:.2f} times its breaking load", line.name, use)}
+                                     .on("line " + line.name)
+                                     .with("utilisation", use, "1"));
     }
     const auto& segments = model.description.lines[i].segments;
     const bool only_pulls =
         std::ranges::none_of(segments, [](const auto& segment) { return bears_compression(segment.type); });
     if (only_pulls && line.least_in_time < kSlack * line.largest_tension) {
-      results.warnings.push_back(
+      results.findings.push_back(Finding{
+          FindingCode::line_snaps,
           fmt::format("line \"{}\": falls slack and snaps tight, with up to {:.3g} kN: how hard hangs on its internal "
                       "damping, which is taken as 1 % of critical; do not let it fall slack",
-                      line.name, 1e-3 * line.largest_in_time));
+                      line.name, 1e-3 * line.largest_in_time)}
+                                     .on("line " + line.name)
+                                     .with("tension", line.largest_in_time, "N"));
     } else if (line.least_in_time < -kPushed * line.largest_in_time) {
-      results.warnings.push_back(fmt::format(
-          "line \"{}\": falls slack, and where it is pushed bears {:.3g} kN of compression at most: it may buckle, "
-          "which the model represents only as far as its elements allow",
-          line.name, -1e-3 * line.least_in_time));
+      results.findings.push_back(Finding{
+          FindingCode::line_compressed,
+          fmt::format(
+              "line \"{}\": falls slack, and where it is pushed bears {:.3g} kN of compression at most: it may buckle, "
+              "which the model represents only as far as its elements allow",
+              line.name, -1e-3 * line.least_in_time)}
+                                     .on("line " + line.name)
+                                     .with("tension", line.least_in_time, "N"));
     }
   }
   if (const double leap = line_leap_at_start(model, options); leap > kSmallLeap) {
-    results.warnings.push_back(fmt::format(
-        "without build-up an end leaps by {:.3g} m from where statics have it: what rings after t = 0 comes "
-        "from that; give some periods (analysis.dynamic.build_up)",
-        leap));
+    results.findings.push_back(Finding{
+        FindingCode::start_without_build_up,
+        fmt::format(
+            "without build-up an end leaps by {:.3g} m from where statics have it: what rings after t = 0 comes "
+            "from that; give some periods (analysis.dynamic.build_up)",
+            leap)}
+                                   .with("distance", leap, "m"));
   }
   DynamicResults run;
   run.duration = options.duration;
@@ -131,7 +145,7 @@ void warn_of_motion(const Model& model, const DynamicOptions& options, LinesResu
   run.seed = options.seed;
   warn_of_sea(model.description, run);
   warn_of_energy(results.energy_drift, model.description.dynamics && model.description.dynamics->step, run);
-  results.warnings.insert(results.warnings.end(), run.warnings.begin(), run.warnings.end());
+  results.findings.insert(results.findings.end(), run.findings.begin(), run.findings.end());
 }
 
 }  // namespace
@@ -142,7 +156,12 @@ bool is_lines_alone(const Description& description) {
 
 LinesOutcome solve_lines(const Model& model) {
   if (const auto obstacle = obstacle_of(model.description)) return {std::nullopt, *obstacle};
-  return rest_of(model).outcome;
+  LinesOutcome outcome = rest_of(model).outcome;
+  if (outcome.results) {
+    fill_checks(model, *outcome.results);
+    accept(outcome.results->findings, model.description.checks.accepted_findings);
+  }
+  return outcome;
 }
 
 LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const LinesSitting& sitting) {
@@ -178,6 +197,8 @@ LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const 
     results.lines[i].utilisation_in_time = use_in_time(model.description.lines[i], results.lines[i]);
   }
   warn_of_motion(model, options, results);
+  fill_checks(model, results);
+  accept(results.findings, model.description.checks.accepted_findings);
   return found.outcome;
 }
 
@@ -223,7 +244,7 @@ LineSeeds run_line_seeds(const Description& description, const std::vector<std::
       failed.push_back({seed, failed_end(*outcome.failure, description).why});
       continue;
     }
-    runs.push_back({seed, name, lines_values(*outcome.results), outcome.results->warnings});
+    runs.push_back({seed, name, lines_values(*outcome.results), outcome.results->findings});
     all.last = std::move(*outcome.results);
   }
   if (runs.empty()) return all;

@@ -143,10 +143,13 @@ void tell_confidence(DynamicResults& results) {
   }
   vessel.confidence = confidence_of(name, *motion);
   if (motion->slow_cycles >= kFewCycles) return;
-  results.warnings.push_back(
+  results.findings.push_back(Finding{
+      FindingCode::few_slow_cycles,
       fmt::format("the run of {:.3g} min holds {:.0f} slow cycles of {}, fewer than {:.0f}: statistics of offsets and "
                   "mooring tensions are those of chance; run three hours, or several seeds",
-                  results.duration / 60.0, motion->slow_cycles, name, kFewCycles));
+                  results.duration / 60.0, motion->slow_cycles, name, kFewCycles)}
+                                 .on(name)
+                                 .with("cycles", motion->slow_cycles, "1"));
 }
 
 void warn_of_build_up(const StaticResults& statics, DynamicResults& results) {
@@ -157,10 +160,13 @@ void warn_of_build_up(const StaticResults& statics, DynamicResults& results) {
     if (longest == nullptr || period.period > longest->period) longest = &period;
   }
   if (longest == nullptr || results.build_up >= kBuildUpPeriods * longest->period) return;
-  results.warnings.push_back(
+  results.findings.push_back(Finding{
+      FindingCode::build_up_too_short,
       fmt::format("the build-up of {:.0f} s is shorter than three natural periods of slow {} ({:.1f} s each): the slow "
                   "motion has not settled when the statistics begin",
-                  results.build_up, longest->mode, longest->period));
+                  results.build_up, longest->mode, longest->period)}
+                                 .on(longest->mode)
+                                 .with("build_up", results.build_up, "s"));
 }
 
 /// Keeps the least distance of the line through `points` to the objects.

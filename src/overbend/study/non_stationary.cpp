@@ -50,8 +50,4 @@ std::string non_stationary(const Description& description, const DynamicResults&
   return is_let_go(description.vessel) ? "the hull is let go from an offset" : std::string();
 }
 
-bool tell_of_change(const std::vector<std::string>& warnings) {
-  return std::ranges::any_of(warnings, [](const std::string& words) { return words.starts_with(kNotStationary); });
-}
-
 }  // namespace overbend

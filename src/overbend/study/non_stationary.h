@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/finding.h"
 #include "model/description.h"
 #include "results/dynamic_results.h"
 
@@ -18,6 +19,6 @@ std::string non_stationary(const Description& description, const DynamicResults&
 inline constexpr std::string_view kNotStationary = "the record is not stationary";
 
 /// Whether it is among the warnings of a run: of several runs with one there are no extremes of three hours either.
-bool tell_of_change(const std::vector<std::string>& warnings);
+bool is_not_stationary(const Findings& findings);
 
 }  // namespace overbend

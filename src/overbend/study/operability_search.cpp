@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "base/finding.h"
 #include "base/threads.h"
-#include "results/shared_warnings.h"
 
 namespace overbend {
 namespace {
@@ -130,20 +130,6 @@ class ChainSearch {
       found_.above = known_.at(above_).utilisation;
     }
     for (std::size_t seed = 0; seed < grid_.seeds; ++seed) tell_falls(seed);
-    if (below_ >= 0) tell_serious(known_.at(below_));
-  }
-
-  /// Every check may pass while the pipe lies beside its stinger or is pushed: who reads the limit has to know.
-  void tell_serious(const ValueAnswer& limit) {
-    std::vector<std::vector<std::string>> of_seeds;
-    for (const std::optional<TrialResult>& one : limit.seeds) {
-      if (one) of_seeds.push_back(one->serious);
-    }
-    for (const SharedWarning& shared : shared_warnings(of_seeds)) {
-      found_.serious = true;
-      found_.remark += fmt::format("{}at the limit {}", found_.remark.empty() ? "" : "; ", shared.text);
-      if (grid_.seeds > 1) found_.remark += fmt::format(" ({} of {} seeds)", shared.runs, grid_.seeds);
-    }
   }
 
   /// Only runs that pass went to their end, so only their utilisations can be compared.

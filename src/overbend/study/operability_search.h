@@ -19,10 +19,9 @@ enum class TrialEnd {
 /// What one analysis said: one value of one cell with one seed.
 struct TrialResult {
   TrialEnd end = TrialEnd::open;
-  std::optional<double> utilisation;   ///< Largest of the criterion; of a run that was stopped, up to there.
-  std::string governing;               ///< The check or result it belongs to; of no_solution what went wrong.
-  std::string reason;                  ///< Of `open`.
-  std::vector<std::string> serious{};  ///< Serious warnings of `passed`: checks judge the pipe, not its place.
+  std::optional<double> utilisation;  ///< Largest of the criterion; of a run that was stopped, up to there.
+  std::string governing;              ///< The check or result it belongs to; of no_solution what went wrong.
+  std::string reason;                 ///< Of `open`.
 };
 
 /// Cell (index over all other axes, the last one fastest), index of the value, index of the seed. Called from several
@@ -43,8 +42,7 @@ struct SearchedCell {
   std::optional<double> below, above;  ///< Largest utilisation at the limit and at the value above it.
   int runs = 0;                        ///< Analyses with an answer.
   std::string reason;                  ///< Why it is not decided.
-  std::string remark;    ///< Where the utilisation falls with a rising value; serious warnings of the limit.
-  bool serious = false;  ///< There are such warnings.
+  std::string remark;                  ///< Where the utilisation falls with a rising value.
 };
 
 /// Finds for every cell a value that passes with every seed while the next one does not. Where the response is

@@ -8,10 +8,10 @@
 #include <mutex>
 
 #include "base/constants.h"
+#include "base/finding.h"
 #include "base/interruption.h"
 #include "base/text.h"
 #include "base/units.h"
-#include "report/warning_weight.h"
 #include "resultfiles/named_results.h"
 #include "runstore/claim_file.h"
 #include "study/trial_record.h"
@@ -195,6 +195,10 @@ void add_passed_over(const StudyDescription& study, const OperabilityPlan& plan,
 }
 
 void add_remarks(const CaseBase& base, OperabilityResults& results) {
+  if (const std::vector<std::string>& accepted = base.model().checks.accepted_findings; !accepted.empty()) {
+    results.remarks.push_back("findings accepted by name, which end no range: " + join_words(accepted, "and") +
+                              " (checks.accepted_findings)");
+  }
   const auto open = std::ranges::count_if(results.cells, [](const OperabilityCell& cell) { return !cell.decided; });
   if (open > 0) results.remarks.push_back(fmt::format("{} of {} cells are not decided", open, results.cells.size()));
   if (base.study().analysis != StudyAnalysis::dynamic) return;
@@ -226,7 +230,7 @@ TrialResult judged_trial(const CaseAnswer& answer, const OperabilityDescription&
   if (wanted.checks) {
     result.utilisation = answer.utilisation;
     result.governing = answer.governing;
-    if (!answer.passed) result.end = TrialEnd::exceeded;
+    if (answer.verdict == VerdictKind::exceeded) result.end = TrialEnd::exceeded;
     if (result.end == TrialEnd::exceeded) return result;  // a run that ended there has no more to say
     if (answer.governing.empty() && wanted.criterion.empty()) {
       return {TrialEnd::open, std::nullopt, "", "no code check could be judged"};
@@ -237,7 +241,12 @@ TrialResult judged_trial(const CaseAnswer& answer, const OperabilityDescription&
     if (values.empty()) return {TrialEnd::open, std::nullopt, "", "the result " + condition.result + " does not apply"};
     for (const double value : values) take_worse(result, used(value, condition), condition_words(condition));
   }
-  if (result.end == TrialEnd::passed) result.serious = serious_warnings(answer.warnings);
+  Findings findings = answer.findings;
+  if (!wanted.checks) std::erase_if(findings, [](const Finding& f) { return f.code == FindingCode::check_not_judged; });
+  if (const std::string codes = serious_codes(findings); result.end == TrialEnd::passed && !codes.empty()) {
+    result.end = TrialEnd::exceeded;
+    result.governing = codes;
+  }
   return result;
 }
 
@@ -263,12 +272,6 @@ OperabilityResults run_operability(const CaseBase& base, const OperabilityConduc
   for (std::size_t i = 0; i < found.size(); ++i) {
     results.cells.push_back(cell_of(found[i], plan, i));
     results.runs += found[i].runs;
-  }
-  if (const auto serious = std::ranges::count_if(found, &SearchedCell::serious); serious > 0) {
-    results.remarks.push_back(
-        fmt::format("at the limits of {} of {} cells there are serious warnings, which no criterion judges: see the "
-                    "remarks of the cells",
-                    serious, found.size()));
   }
   results.wall_time = runner.wall_time();
   add_workability(wanted, results);

@@ -43,13 +43,15 @@ std::vector<std::string> named_files(const Description& d) {
 StaticResults of_hull(const Model& model, MooringResults rest) {
   tell_hull(model, rest);
   if (rest.operation == "moored" && !rest.stages.empty()) {
-    rest.warnings.emplace_back(
-        "the stages of the operation are states at rest: the run in time starts from the rest before them");
+    rest.findings.push_back(
+        {FindingCode::stages_at_rest,
+         "the stages of the operation are states at rest: the run in time starts from the rest before them"});
   }
   if (hull_is_free(model.description) && model.description.vessel.motion != VesselMotion::coupled) {
-    rest.warnings.emplace_back(
-        "in time the vessel moves as vessel.motion says, from where it lies at rest, and not as its lines pull: "
-        "vessel.hydrostatics serve statics alone, vessel.motion.coupled is a hull that floats free");
+    rest.findings.push_back(
+        {FindingCode::vessel_moves_as_prescribed,
+         "in time the vessel moves as vessel.motion says, from where it lies at rest, and not as its lines pull: "
+         "vessel.hydrostatics serve statics alone, vessel.motion.coupled is a hull that floats free"});
   }
   return of_hull_alone(std::move(rest));
 }

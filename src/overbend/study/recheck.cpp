@@ -101,9 +101,11 @@ Rechecked recheck(const fs::path& h5, const std::vector<std::string>& changes) {
   const Model after = build_model(again.description);
   require_same_analysis(before, after, again.dynamics.has_value());
   fill_checks(after, again.statics);
+  accept(again.statics.findings, after.description.checks.accepted_findings);
   if (again.dynamics) {
     take_class(again.dynamics->design, after.description.checks.safety_class);
     fill_checks(after, again.statics, *again.dynamics);
+    accept(again.dynamics->findings, after.description.checks.accepted_findings);
   }
   return again;
 }
@@ -118,6 +120,7 @@ RecheckedOperation recheck_operation(const fs::path& h5, const std::vector<std::
     const Model after = build_model(at_stage(again.description, stage.stage));
     require_same_analysis(build_model(at_stage(before, stage.stage)), after, false);
     fill_checks(after, *stage.lay);
+    accept(stage.lay->findings, after.description.checks.accepted_findings);
   }
   return again;
 }

@@ -9,6 +9,7 @@
 
 #include "model/description.h"
 #include "results/dynamic_results.h"
+#include "results/findings.h"
 #include "results/operation_results.h"
 #include "results/static_results.h"
 
@@ -26,6 +27,7 @@ struct Rechecked {
   std::optional<DynamicResults> dynamics;  ///< Of a dynamic analysis; long data stay in its file.
 
   const CheckTable& checks() const { return dynamics ? dynamics->checks : statics.checks; }
+  Findings findings() const { return dynamics ? all_findings(statics, *dynamics) : statics.findings; }
 };
 
 /// Reads results.h5 and makes its table of checks again with keys set anew: "checks.safety_class=high", or without a

@@ -187,7 +187,8 @@ bool never_negative(const std::string& quantity) {
 namespace {
 
 bool changed(const SeedsResults& results) {
-  return std::ranges::any_of(results.runs, [](const SeedRun& run) { return tell_of_change(run.warnings); });
+  return std::ranges::any_of(
+      results.runs, [](const SeedRun& run) { return has_code(run.findings, FindingCode::record_not_stationary); });
 }
 
 void keep_from_negative(SeedStatistics& s) {

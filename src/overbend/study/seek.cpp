@@ -129,7 +129,7 @@ SeekOutcome seek(const Description& description, const SeekDescription& wanted, 
   const bool one = model.unknowns().size() == 1 && wanted.until.size() == 1 && wanted.minimise.empty();
   SeekOutcome outcome = one ? seek_one(model, wanted.until.front()) : seek_many(model, wanted);
   if (is_lay_operation(description.operation.type)) {
-    outcome.results.remarks.push_back(no_stage_warning(description, false));
+    outcome.results.remarks.push_back(no_stage_finding(description, false).message);
   }
   if (outcome.results.found) compare_with_statics(model, outcome);
   outcome.results.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

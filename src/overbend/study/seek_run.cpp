@@ -57,7 +57,7 @@ SeekRun run_seek(const Description& description, const SeekDescription& wanted, 
   SeekRun run{std::move(outcome.results), {}, {}};
   if (!run.results.found) return run;
   run.answer = with_answer(description, wanted, run.results);
-  if (is_lay_operation(run.answer.operation.type)) run.answer.warnings.push_back(no_stage_warning(run.answer, false));
+  if (is_lay_operation(run.answer.operation.type)) run.answer.findings.push_back(no_stage_finding(run.answer, false));
   solve_answer(run, outcome.start);
   return run;
 }

@@ -17,7 +17,7 @@ bool same_pose(const VesselPose& a, const VesselPose& b) {
 
 /// What is the same at each of the steps, and much of what they cost: nothing of it moves a lay at rest.
 Description only_statics(Description description) {
-  description.warnings.clear();
+  description.findings.clear();
   description.source_text.clear();
   return description;
 }

@@ -78,15 +78,17 @@ std::variant<Description, RunEnd> choose_stage(const Description& description, c
   Description chosen = at_stage(description, stage);
   chosen.title = fmt::format("{}, {}", description.title, stage.name);
   if (yields(chosen)) {
-    chosen.warnings.emplace_back(
-        "operation: the stage is computed by itself, without what steel yielded at the stages before");
+    chosen.findings.push_back(
+        {FindingCode::stage_without_history,
+         "operation: the stage is computed by itself, without what steel yielded at the stages before"});
   }
   return chosen;
 }
 
-std::string no_stage_warning(const Description& description, bool choosable) {
-  return fmt::format("operation: no stage of the operation {} was chosen; this is the lay as such{}",
-                     operation_word(description.operation.type), choosable ? " (choose with --stage)" : "");
+Finding no_stage_finding(const Description& description, bool choosable) {
+  return {FindingCode::no_stage_chosen,
+          fmt::format("operation: no stage of the operation {} was chosen; this is the lay as such{}",
+                      operation_word(description.operation.type), choosable ? " (choose with --stage)" : "")};
 }
 
 }  // namespace overbend

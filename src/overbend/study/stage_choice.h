@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "base/finding.h"
 #include "model/description.h"
 #include "study/run_ending.h"
 
@@ -16,6 +17,6 @@ std::variant<Description, RunEnd> choose_stage(const Description& description, c
 
 /// That the lay as such is computed though the model has an operation on the line. `choosable`: whether the analysis
 /// could be of a stage instead.
-std::string no_stage_warning(const Description& description, bool choosable = true);
+Finding no_stage_finding(const Description& description, bool choosable = true);
 
 }  // namespace overbend

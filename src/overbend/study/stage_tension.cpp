@@ -100,7 +100,6 @@ StageSolver::Use StageSolver::worst_use(const LayStageDescription& stage, double
     const double missing = *limits.tip_clearance - *r.stinger_tip_clearance;
     uses.push_back({"tip clearance", 1.0 + missing / std::max(*limits.tip_clearance, 0.1)});
   }
-  if (r.cable && r.cable->utilisation) uses.push_back({"cable", *r.cable->utilisation / limits.utilisation});
   if (const CheckRow* check = worst_check(r.checks)) {
     uses.push_back({check->name, check->utilisation / limits.utilisation});
   }

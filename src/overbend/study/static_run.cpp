@@ -5,7 +5,7 @@
 #include "checks/run_checks.h"
 #include "report/report.h"
 #include "resultfiles/results_writer.h"
-#include "results/warnings.h"
+#include "results/findings.h"
 #include "runstore/staged_folder.h"
 #include "statics/current_effect.h"
 #include "statics/friction_cases.h"
@@ -19,10 +19,10 @@ namespace overbend {
 StaticResults unjudged_statics(const Model& model, const LayOutcome& lay) {
   StaticResults results = recover_in_current(model, *lay.solution);
   if (lay.moorings) {
-    results.warnings = together(std::move(results.warnings), lay.moorings->warnings);
+    results.findings = merge(std::move(results.findings), lay.moorings->findings);
     results.assumptions = together(std::move(results.assumptions), lay.moorings->assumptions);
-    if (std::optional<std::string> warning = warn_of_side_rollers(model.description, results)) {
-      results.warnings.push_back(std::move(*warning));
+    if (std::optional<Finding> finding = find_side_roller_contact(model.description, results)) {
+      results.findings.push_back(std::move(*finding));
     }
     results.moorings = lay.moorings;
   }
@@ -33,6 +33,7 @@ void judge_statics(const Model& model, const StaticSolution& solution, StaticRes
                    std::optional<StaticSolution>& still) {
   find_current_effect(model, solution, results, still);
   fill_checks(model, results);
+  accept(results.findings, model.description.checks.accepted_findings);
 }
 
 StaticResults checked_statics(const Model& model, const LayOutcome& lay) {
@@ -46,6 +47,7 @@ void tell_friction(Model model, const LayOutcome& lay, StaticResults& results) {
   model.mean_pose = lay.solution->pose;
   find_friction_cases(model, *lay.solution, results);
   note_history_effect(model, *lay.solution, results);
+  accept(results.findings, model.description.checks.accepted_findings);
 }
 
 namespace {
@@ -56,11 +58,12 @@ std::optional<HullResults> told_hull(const Model& model, const MooredState* rest
   try {
     std::optional<HullAccount> account = hull_account(model, rest);
     if (!account) return std::nullopt;
-    into.warnings = together(std::move(into.warnings), account->warnings);
+    into.findings = merge(std::move(into.findings), account->findings);
     into.assumptions = together(std::move(into.assumptions), account->assumptions);
     return std::move(account->results);
   } catch (const std::invalid_argument& fault) {  // statics stand without it; a run in time will be refused
-    into.warnings.push_back(std::string("nothing is told of the hull's radiation and damping: ") + fault.what());
+    into.findings.push_back({FindingCode::hull_not_evaluated,
+                             std::string("radiation and damping of the hull are not evaluated: ") + fault.what()});
     return std::nullopt;
   }
 }
@@ -69,10 +72,13 @@ std::optional<HullResults> told_hull(const Model& model, const MooredState* rest
 
 void tell_hull(const Model& model, StaticResults& results) {
   results.hull = told_hull(model, results.moorings ? &results.moorings->rest : nullptr, results);
+  accept(results.findings, model.description.checks.accepted_findings);
 }
 
 void tell_hull(const Model& model, MooringResults& results) {
+  fill_checks(model, results);
   results.hull = told_hull(model, &results.rest, results);
+  accept(results.findings, model.description.checks.accepted_findings);
 }
 
 void write_static_run(const StaticResults& results, const Description& description, const std::filesystem::path& folder,

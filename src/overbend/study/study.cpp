@@ -7,7 +7,7 @@
 #include "resultfiles/comparison_writer.h"
 #include "resultfiles/dynamic_reader.h"
 #include "resultfiles/seeds_writer.h"
-#include "results/warnings.h"
+#include "results/findings.h"
 #include "runstore/staged_folder.h"
 #include "study/compare_gather.h"
 #include "study/compare_variants.h"
@@ -62,14 +62,14 @@ SeedsResults seeds_of(const std::vector<CaseRun>& runs, CheckTable& worst) {
     peaks.push_back(peaks_of_run(h5));
     results.duration = read.duration;
     results.runs.push_back({run.seed, run.name, seed_values(shared.statics, read, read.fatigue.has_value()),
-                            all_warnings(shared.statics, read)});
+                            all_findings(shared.statics, read)});
     keep_worse(worst, std::move(read.checks));
   }
   fill_statistics(results);
   add_acer(results, peaks);
   const WaveType type = shared.description.environment.waves.type;
   if (type == WaveType::none || type == WaveType::airy || type == WaveType::stokes5) {
-    results.warnings.emplace_back("the sea is not random: all seeds give the same results");
+    results.findings.push_back({FindingCode::sea_not_random, "the sea is not random: all seeds give the same results"});
   }
   return results;
 }

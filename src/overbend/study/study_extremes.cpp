@@ -20,7 +20,8 @@ bool has_word(const std::string& name, const std::string& word) {
 }
 
 bool changed(const std::vector<const StudyCase*>& group) {
-  return std::ranges::any_of(group, [](const StudyCase* one) { return tell_of_change(one->warnings); });
+  return std::ranges::any_of(
+      group, [](const StudyCase* one) { return has_code(one->findings, FindingCode::record_not_stationary); });
 }
 
 StudyExtreme extreme_of(const std::vector<const StudyCase*>& group, std::size_t output, bool largest, double duration) {

@@ -20,8 +20,9 @@
 #include "runstore/run_record.h"
 #include "runstore/staged_folder.h"
 #include "study/operability_folder.h"
-#include "study/study_remarks.h"
+#include "study/study_findings.h"
 
+#include "results/fields/words.h"
 namespace overbend {
 namespace {
 
@@ -156,11 +157,11 @@ void take_record(const Json& record, const std::vector<StudyOutput>& outputs, St
     if (value.is_number()) one.values[i] = value.get<double>();
     if (value.is_string()) one.texts[i] = value.get<std::string>();
   }
-  one.passed = record.at("passed");
+  from_word(record.at("verdict").get<std::string>(), one.verdict);
   one.governing = record.at("governing");
   one.utilisation = number_of(record, "utilisation");
   one.reason = record.at("reason");
-  one.warnings = record.at("warnings").get<std::vector<std::string>>();
+  one.findings = read_findings(record.at("findings"));
   one.wall_time = record.at("wall_time");
   one.state = state_of(record.at("state"));
 }
@@ -181,8 +182,9 @@ void take_operability(const fs::path& folder, StudyResults& results) {
   results.operability = read_operability(folder);
   if (!results.operability) return;
   results.wall_time += results.operability->wall_time;
-  const std::vector<std::string>& remarks = results.operability->remarks;
-  results.warnings.insert(results.warnings.end(), remarks.begin(), remarks.end());
+  for (const std::string& remark : results.operability->remarks) {
+    results.findings.push_back({FindingCode::study_inputs, remark});
+  }
 }
 
 }  // namespace
@@ -212,7 +214,7 @@ void open_study(const CaseBase& base, const StudyCases& cases, const fs::path& f
   }
   fs::create_directories(folder, fault);
   if (fault) throw UnusableFolder("'" + folder.string() + "' cannot be made: " + fault.message());
-  wanted["remarks"] = study_remarks(base, cases);
+  wanted["findings"] = findings_json(study_findings(base, cases));
   try {
     replace_file(folder / kStudy, text_of(wanted));
   } catch (const std::runtime_error& refused) {
@@ -244,12 +246,12 @@ void take_answer(const CaseAnswer& answer, StudyAnalysis analysis, const std::ve
   one.state = done ? StudyCaseState::done : StudyCaseState::failed;
   one.values.assign(outputs.size(), std::nullopt);
   one.texts.assign(outputs.size(), "");
-  one.warnings = answer.warnings;
+  one.findings = answer.findings;
   if (!done) {
     one.reason = answer.why;
     return;
   }
-  one.passed = answer.passed;
+  one.verdict = answer.verdict;
   one.governing = answer.governing;
   one.utilisation = answer.utilisation;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -277,11 +279,13 @@ void write_case_record(const StudyCase& one, const std::vector<StudyInput>& inpu
                  {"inputs", given},
                  {"at", one.at},
                  {"outputs", gathered},
-                 {"passed", one.passed},
+                 {"verdict", word(one.verdict)},
+                 {"passed", one.passed()},
                  {"governing", one.governing},
                  {"utilisation", number_json(one.utilisation)},
                  {"reason", one.reason},
-                 {"warnings", one.warnings},
+                 {"warnings", messages(one.findings)},
+                 {"findings", findings_json(one.findings)},
                  {"wall_time", one.wall_time}};
   if (one.seed) record["seed"] = *one.seed;
   if (!peaks.empty()) record["peaks"] = peaks_json(peaks);
@@ -302,7 +306,7 @@ StudyResults read_study(const fs::path& folder) {
     results.version = json->at("version");
     results.analysis = json->at("analysis");
     results.command = study_words(json->at("study"), folder.string());
-    results.warnings = json->value("remarks", std::vector<std::string>());
+    results.findings = read_findings(json->value("findings", Json::array()));
     for (const Json& input : json->at("inputs")) results.inputs.push_back(input_of(input));
     for (const Json& output : json->at("outputs")) {
       results.outputs.push_back({output.at("name"), output.at("unit"), output.at("text")});

@@ -10,12 +10,11 @@
 #include <map>
 #include <mutex>
 
+#include "base/finding.h"
 #include "base/interruption.h"
 #include "base/threads.h"
 #include "report/study_page.h"
-#include "report/warning_weight.h"
 #include "resultfiles/study_writer.h"
-#include "results/shared_warnings.h"
 #include "runstore/claim_file.h"
 #include "study/study_extremes.h"
 
@@ -295,23 +294,25 @@ StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const fs
 
 namespace {
 
-/// Checks judge the pipe, not whether its rollers hold it: what the cases themselves warn of gravely stands in no
-/// column of the table, so the study says it.
-void add_serious_warnings(StudyResults& results) {
-  constexpr std::size_t kMost = 10;
-  std::vector<std::vector<std::string>> of_cases;
+/// The serious findings of the cases, each once with the number of cases that have it.
+void add_serious_findings(StudyResults& results) {
+  constexpr std::size_t kShown = 10;
+  std::vector<Findings> of_cases;
   for (const StudyCase& one : results.cases) {
-    if (one.state == StudyCaseState::done) of_cases.push_back(serious_warnings(one.warnings));
+    if (one.state == StudyCaseState::done) of_cases.push_back(serious_findings(one.findings));
   }
-  std::vector<SharedWarning> shared = shared_warnings(of_cases);
-  std::ranges::stable_sort(shared, std::greater<>(), &SharedWarning::runs);
-  for (std::size_t i = 0; i < std::min(shared.size(), kMost); ++i) {
-    results.warnings.push_back(
-        fmt::format("{} of {} solved cases: {}", shared[i].runs, of_cases.size(), shared[i].text));
-  }
-  if (shared.size() > kMost) {
-    results.warnings.push_back(
-        fmt::format("{} more serious warnings of cases stand in their records, case.json", shared.size() - kMost));
+  std::vector<SharedFinding> shared = shared_findings(of_cases);
+  std::ranges::stable_sort(shared, std::greater<>(), [](const SharedFinding& one) { return one.runs.size(); });
+  for (const SharedFinding& one : shared) {
+    Finding finding = one.worst;
+    if (results.findings.size() >= kShown) {
+      finding.message = fmt::format("{} more serious findings of cases are in their records, case.json",
+                                    shared.size() - static_cast<std::size_t>(&one - shared.data()));
+      results.findings.push_back(std::move(finding));
+      break;
+    }
+    finding.message = fmt::format("{} of {} solved cases: {}", one.runs.size(), of_cases.size(), one.text());
+    results.findings.push_back(std::move(finding));
   }
 }
 
@@ -319,7 +320,7 @@ void add_serious_warnings(StudyResults& results) {
 
 StudyResults study_so_far(const fs::path& folder) {
   StudyResults results = read_study(folder);
-  add_serious_warnings(results);
+  add_serious_findings(results);
   fill_extremes(results, recorded_duration(folder), [&](const StudyCase& one) { return recorded_peaks(folder, one); });
   return results;
 }

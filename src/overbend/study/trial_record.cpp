@@ -37,7 +37,6 @@ TrialRecord record_of(const Json& json) {
   }
   if (json.contains("utilisation")) record.result.utilisation = json.at("utilisation").get<double>();
   record.result.governing = json.at("governing").get<std::string>();
-  json.at("serious").get_to(record.result.serious);  // a record without is of a program that did not look
   record.wall_time = json.at("wall_time").get<double>();
   return record;
 }
@@ -47,6 +46,7 @@ TrialRecord record_of(const Json& json) {
 std::optional<TrialRecord> read_trial(const std::filesystem::path& folder, const CaseQuestion& question) {
   try {
     const Json json = read_json_file(folder / "trial.json");
+    if (!json.contains("findings_judged")) return std::nullopt;  // of a program that judged checks alone
     if (json.at("question") != question_json(question)) return std::nullopt;
     TrialRecord record = record_of(json);
     return record.result.end == TrialEnd::open ? std::nullopt : std::optional(std::move(record));
@@ -62,7 +62,7 @@ void write_trial(const TrialRecord& record, const CaseQuestion& question, const 
   Json json = {{"question", question_json(question)}, {"end", word(record.result.end)}};
   if (record.result.utilisation) json["utilisation"] = *record.result.utilisation;
   json["governing"] = record.result.governing;
-  json["serious"] = record.result.serious;
+  json["findings_judged"] = true;
   json["wall_time"] = record.wall_time;
   replace_file(folder / "trial.json", json_text(json, 1) + "\n");
 }

@@ -237,6 +237,22 @@ export interface Check {
   time?: number | null;
 }
 
+export interface Finding {
+  code: string;
+  severity: 'serious' | 'caution' | 'note';
+  message: string;
+  object?: string;
+  from_top?: number;
+  time?: number;
+  accepted?: boolean;
+}
+
+export interface Verdict {
+  kind: 'passed' | 'reserved' | 'exceeded' | 'not judged';
+  words: string;
+  because: string;
+}
+
 export interface Statics {
   key: KeyResults | null;
   pipe: PipeLists;
@@ -250,7 +266,8 @@ export interface Statics {
   moorings: Moorings | null;
   lines: LineAtRest[];
   checks: Check[];
-  warnings: string[];
+  findings: Finding[];
+  verdict: Verdict;
 }
 
 export interface StageValues {
@@ -294,7 +311,7 @@ export interface OperationStage {
   values: StageValues | null;
   parts: LineParts | null;
   failure: StageFailure | null;
-  warnings: string[];
+  findings: Finding[];
 }
 
 export interface HoldPoint {
@@ -308,7 +325,7 @@ export interface Operation {
   out_name: string;
   stages: OperationStage[];
   hold_points: HoldPoint[];
-  warnings: string[];
+  findings: Finding[];
 }
 
 export interface Band {
@@ -409,6 +426,7 @@ export interface DynamicSummary {
   seed: number;
   assumptions: string[];
   warnings: string[];
+  findings: Finding[];
   non_stationary: string;
   impact_count: number;
   top_tension: Spread;

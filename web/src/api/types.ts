@@ -1,5 +1,5 @@
 // What the program answers; see docs/api.md. SI units, frame W. The types of results are made by the program.
-import type { Check, DynamicSummary, Spread, Statics, Vector } from './results';
+import type { Check, DynamicSummary, Finding, Spread, Statics, Vector, Verdict } from './results';
 
 export type * from './results';
 
@@ -84,12 +84,14 @@ export interface Run {
   time?: number; end?: number; top_tension?: number; worst_stress?: number;
 }
 
+export type VerdictKind = Verdict['kind'];
+
 /** What the cases of a study gave; values are SI, shown times `factor` in `unit`. */
 export interface Study {
   kind: 'seeds' | 'comparison';
   cases: { id: string; name: string; words: string }[];
   quantities: StudyQuantity[];
-  warnings: { text: string; cases: number }[];
+  findings: (Finding & { cases: number })[];
 }
 export interface StudyQuantity {
   name: string; text: string; unit: string; factor: number; values: (number | null)[];
@@ -105,11 +107,11 @@ export interface Matrix {
   outputs: { name: string; unit: string }[];
   cases: MatrixCase[];
   operability: MatrixLimits | null;
-  warnings: string[];
+  findings: Finding[];
 }
 export interface MatrixCase {
   number: number; at: number[]; words: string[]; inputs: (number | null)[]; seed: number | null; state: 'open' | 'done' | 'failed';
-  values: (number | null)[]; passed: boolean; governing: string; utilisation: number | null; reason: string;
+  values: (number | null)[]; passed: boolean; verdict: VerdictKind; obstacle: string; governing: string; utilisation: number | null; reason: string;
 }
 /** The largest value of one key with which every check is passed, for every combination of the others. */
 export interface MatrixLimits {
@@ -142,7 +144,8 @@ export interface FatigueSpot {
 
 /** What is read of summary.json. */
 export interface RunSummary {
-  warnings?: string[];
+  findings?: Finding[];
+  verdict?: Verdict;
   checks?: { list: Check[] };
   dynamic?: DynamicSummary & { vessel?: VesselInTime; thrust?: ThrustInTime[]; moorings?: MooringInTime[]; fatigue?: { spots: FatigueSpot[] } };
 }
@@ -166,9 +169,9 @@ export interface LayTableCurves {
 export interface LayTable {
   status: 'ok';
   columns: { heading: string; digits: number }[];
-  rows: { kind: 'step' | 'least' | 'largest'; verdict: 'passed' | 'exceeded' | 'no lay'; cells: (string | number | null)[] }[];
+  rows: { kind: 'step' | 'least' | 'largest'; verdict: 'passed' | 'reserved' | 'exceeded' | 'not judged' | 'no lay'; cells: (string | number | null)[] }[];
   curves: LayTableCurves;
-  warnings: string[];
+  findings: Finding[];
   wall_time: number;
 }
 export type LayTableAnswer = LayTable | { status: 'invalid'; diagnostics: Diagnostic[] };

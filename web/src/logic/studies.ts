@@ -1,5 +1,5 @@
 // A study from the page: its file, and how its cases are laid out in a chart.
-import type { Field, Matrix, MatrixCase } from '../api/types';
+import type { Field, Matrix, MatrixCase, VerdictKind } from '../api/types';
 import { parseSeeds } from './runs';
 import { complete, parseQuantity, tidy } from './units';
 
@@ -81,10 +81,14 @@ export function worstValue(cases: MatrixCase[], output: number, name: string): n
   return /(^|[._])(min|smallest|least)/.test(name) ? Math.min(...values) : Math.max(...values);
 }
 
-export interface Cell { cases: MatrixCase[]; value: number | null; state: 'passed' | 'exceeded' | 'failed' | 'open' }
+export interface Cell { cases: MatrixCase[]; value: number | null; state: VerdictKind | 'failed' | 'open' }
+
+const severity: Record<VerdictKind, number> = { passed: 0, reserved: 1, 'not judged': 2, exceeded: 3 };
+
+const worstVerdict = (cases: MatrixCase[]): VerdictKind => cases.map((c) => c.verdict).reduce((a, b) => (severity[a] >= severity[b] ? a : b));
 
 export function cellOf(cases: MatrixCase[], output: number, name: string): Cell {
-  const state = cases.some((c) => c.state === 'failed') ? 'failed' : cases.length === 0 || cases.some((c) => c.state === 'open') ? 'open' : cases.every((c) => c.passed) ? 'passed' : 'exceeded';
+  const state = cases.some((c) => c.state === 'failed') ? 'failed' : cases.length === 0 || cases.some((c) => c.state === 'open') ? 'open' : worstVerdict(cases);
   return { cases, value: worstValue(cases, output, name), state };
 }
 
@@ -99,10 +103,13 @@ export function cellsOver(m: Matrix, axes: number[], fixed: Record<number, numbe
     cellOf(held.filter((c) => (x === undefined || c.at[x] === i) && (y === undefined || c.at[y] === j)), output, name)));
 }
 
+const verdictWords: Record<VerdictKind, string> = { passed: 'pass', reserved: 'pass with reservations', exceeded: 'exceed a check', 'not judged': 'solved, not judged' };
+
 /** Counts in words. */
 export function tally(m: Matrix): string {
   const n = (test: (c: MatrixCase) => boolean): number => m.cases.filter(test).length;
-  const unchecked = m.cases.every((c) => c.state !== 'done' || (c.passed && !c.governing));
-  const parts: [number, string][] = [[n((c) => c.state === 'done' && c.passed), unchecked ? 'solved, without code checks' : 'pass'], [n((c) => c.state === 'done' && !c.passed), 'exceed a check'], [n((c) => c.state === 'failed'), 'have no solution'], [n((c) => c.state === 'open'), 'still to come']];
+  const parts: [number, string][] = [
+    ...(['passed', 'reserved', 'exceeded', 'not judged'] as const).map((kind): [number, string] => [n((c) => c.state === 'done' && c.verdict === kind), verdictWords[kind]]),
+    [n((c) => c.state === 'failed'), 'have no solution'], [n((c) => c.state === 'open'), 'still to come']];
   return `${m.cases.length} cases: ${parts.filter(([count]) => count).map(([count, words]) => `${count} ${words}`).join(', ')}`;
 }

@@ -5,7 +5,7 @@ import { asking, dialog, theme, type DialogName } from '../state/look';
 import { leadToFault } from '../state/lead';
 import { connected } from '../state/connection';
 import { tidy } from '../logic/units';
-import { keyName } from '../logic/warnings';
+import { keyName } from '../logic/findings';
 
 export function saveNow(): void {
   if (!hasModel.value) return;

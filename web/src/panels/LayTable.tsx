@@ -4,10 +4,10 @@ import { useState } from 'preact/hooks';
 import { ApiError, address, post } from '../api/client';
 import type { LayTable, LayTableAnswer, LayTableCurves, LayTableVary } from '../api/types';
 import { bounds, rangeOf, ticks, usualRange, wishFault, type LayTableWish } from '../logic/laytable';
-import { bullets } from '../logic/warnings';
+import { bullets } from '../logic/findings';
 import { byPath, revision } from '../state/model';
 import { calmLay } from '../state/shown';
-import { Warnings } from './Warnings';
+import { Findings } from './Findings';
 
 /** The last one, with the revision of the model that it is of. */
 const table = signal<{ of: LayTable; revision: number } | null>(null);
@@ -28,7 +28,7 @@ function Rows({ of }: { of: LayTable }) {
         <thead><tr>{of.columns.map((c) => { const [name, unit] = unitOf(c.heading); return <th key={c.heading} scope="col">{name}{unit ? <><br /><small>{unit}</small></> : null}</th>; })}</tr></thead>
         <tbody>
           {of.rows.map((row, i) => (
-            <tr key={i} class={`${row.verdict === 'passed' ? '' : 'over'} ${row.kind === 'step' ? '' : 'limit'}`}>
+            <tr key={i} class={`${row.verdict === 'passed' ? '' : row.verdict === 'reserved' ? 'reserved' : 'over'} ${row.kind === 'step' ? '' : 'limit'}`}>
               {row.cells.map((value, k) => <td key={k} class={typeof value === 'number' ? '' : 'plain'}>{cell(value, of.columns[k]!.digits)}</td>)}
             </tr>
           ))}
@@ -64,9 +64,9 @@ function Made({ of }: { of: LayTable }) {
         <a class="button" href={address('lay-table.csv')} download="lay-table.csv">Table (CSV)</a>
         <a class="button" href={address('lay-table.xlsx')} download="lay-table.xlsx">Workbook (XLSX)</a>
       </div>
-      <Warnings list={bullets(of.warnings, [])} />
+      <Findings list={bullets(of.findings, [])} />
       <Rows of={of} />
-      <p class="brief">{of.curves.axis}; shaded where every governing check is passed.</p>
+      <p class="brief">{of.curves.axis}; shaded where the lay passes.</p>
       {of.curves.panels.map((panel) => <Curve key={panel.title} panel={panel} curves={of.curves} />)}
     </>
   );

@@ -10,7 +10,7 @@ type Axis = Matrix['inputs'][number];
 export const axisName = (input: { key: string; unit: string }): string => `${input.key.split('.').at(-1)!.replace(/_/g, ' ')}${input.unit ? ` [${input.unit}]` : ''}`;
 export const axisWord = (input: { words: string[]; values: (number | null)[] }, i: number): string => { const v = input.values[i]; return v === null || v === undefined ? input.words[i] ?? '' : tidy(v, 4); };
 
-const words: Record<Cell['state'], string> = { passed: 'every check passed', exceeded: 'a check is exceeded', failed: 'no solution', open: 'not computed yet' };
+const words: Record<Cell['state'], string> = { passed: 'passes', reserved: 'passes with reservations', exceeded: 'a check is exceeded', 'not judged': 'not judged', failed: 'no solution', open: 'not computed yet' };
 
 interface Chart { m: Matrix; axes: number[]; cells: Cell[][]; output: number; chosen: Cell | null; choose: (cell: Cell) => void }
 
@@ -44,7 +44,7 @@ export function Curve(chart: Chart) {
       <text class="title" x={(kLeft + kWide - kRight) / 2} y={tall - 4} text-anchor="middle">{axisName(axis)}</text>
       <path class="line k0" d={path} />
       {row.map((cell, i) => (
-        <g key={i} class={`point ${cell.state}${chosen?.cases[0] === cell.cases[0] ? ' chosen' : ''}`} role="button" tabIndex={0} aria-label={titleOf(chart, cell, i, 0)} onClick={() => choose(cell)} onKeyDown={(e) => { if (e.key === 'Enter') choose(cell); }}>
+        <g key={i} class={`point ${cell.state.replace(' ', '-')}${chosen?.cases[0] === cell.cases[0] ? ' chosen' : ''}`} role="button" tabIndex={0} aria-label={titleOf(chart, cell, i, 0)} onClick={() => choose(cell)} onKeyDown={(e) => { if (e.key === 'Enter') choose(cell); }}>
           <title>{titleOf(chart, cell, i, 0)}</title>
           {cell.state === 'passed' ? <circle cx={px(at[i]!)} cy={py(cell.value ?? y0)} r="3.6" /> : <path d={`M${px(at[i]!) - 3.5} ${py(cell.value ?? y0) - 3.5}l7 7m0 -7l-7 7`} />}
           <rect class="hit" x={px(at[i]!) - 5} y={py(cell.value ?? y0) - 7} width="10" height="14" />
@@ -54,7 +54,7 @@ export function Curve(chart: Chart) {
   );
 }
 
-/** Dark is more. Cells that exceed a check are struck through, those without a solution are crossed out. */
+/** Dark is more. Cells that exceed a check are struck through, those that pass with reservations ringed, those without a solution are crossed out. */
 export function HeatMap(chart: Chart) {
   const { m, axes, cells, output, chosen, choose } = chart;
   const [x, y] = [m.inputs[axes[0]!]!, m.inputs[axes[1]!]!];
@@ -70,9 +70,10 @@ export function HeatMap(chart: Chart) {
         {cells.map((row, j) => row.map((cell, i) => {
           const [px, py] = [kLeft + i * w, kTop + (rows - 1 - j) * height];
           return (
-            <g key={`${i} ${j}`} class={`cell ${cell.state}${chosen && chosen.cases[0] === cell.cases[0] ? ' chosen' : ''}`} role="button" tabIndex={0} aria-label={titleOf(chart, cell, i, j)} onClick={() => choose(cell)} onKeyDown={(e) => { if (e.key === 'Enter') choose(cell); }}>
+            <g key={`${i} ${j}`} class={`cell ${cell.state.replace(' ', '-')}${chosen && chosen.cases[0] === cell.cases[0] ? ' chosen' : ''}`} role="button" tabIndex={0} aria-label={titleOf(chart, cell, i, j)} onClick={() => choose(cell)} onKeyDown={(e) => { if (e.key === 'Enter') choose(cell); }}>
               <title>{titleOf(chart, cell, i, j)}</title>
               <rect x={px} y={py} width={w - 0.7} height={height - 0.7} style={cell.value === null ? undefined : { fill: `hsl(212 70% ${90 - 62 * shade(cell.value)}%)` }} />
+              {cell.state === 'reserved' ? <circle class="mark" cx={px + 0.5 * w} cy={py + 0.5 * height} r={Math.min(4, 0.3 * height)} /> : null}
               {cell.state === 'exceeded' || cell.state === 'failed' ? <path class="mark" d={`M${px + 0.2 * w} ${py + 0.8 * height}L${px + 0.8 * w} ${py + 0.2 * height}${cell.state === 'failed' ? `M${px + 0.2 * w} ${py + 0.2 * height}L${px + 0.8 * w} ${py + 0.8 * height}` : ''}`} /> : null}
             </g>
           );
@@ -81,7 +82,7 @@ export function HeatMap(chart: Chart) {
         {y.words.map((_word, j) => (j % everyRow ? null : <text key={j} x={kLeft - 4} y={kTop + (rows - 0.5 - j) * height + 4} text-anchor="end">{axisWord(y, j)}</text>))}
         <text class="title" x={(kLeft + kWide - kRight) / 2} y={tall - 4} text-anchor="middle">{axisName(x)}</text>
       </svg>
-      <p class="brief">Up: {axisName(y)}. Light is {tidy(low, 4)}, dark {tidy(high, 4)} {m.outputs[output]!.unit}; struck through: a check is exceeded; crossed out: no solution.</p>
+      <p class="brief">Up: {axisName(y)}. Light is {tidy(low, 4)}, dark {tidy(high, 4)} {m.outputs[output]!.unit}; struck through: a check is exceeded; ringed: passes with reservations; crossed out: no solution.</p>
     </>
   );
 }

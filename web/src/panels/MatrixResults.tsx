@@ -3,14 +3,14 @@ import { useState } from 'preact/hooks';
 import type { Matrix, MatrixCase, MatrixLimits, Run } from '../api/types';
 import { cellsOver, spreadAxes, tally, type Cell } from '../logic/studies';
 import { tidy } from '../logic/units';
-import { bullets, withoutPaths } from '../logic/warnings';
+import { bullets, withoutPaths } from '../logic/findings';
 import { setKeys } from '../state/model';
 import { say, sayError } from '../state/notices';
 import { reportAddress, runName, select, tableAddress } from '../state/runs';
 import { matrix } from '../state/studies';
 import { axisName, axisWord, Curve, HeatMap } from './MatrixChart';
 import { Standing } from './RunResults';
-import { Warnings } from './Warnings';
+import { Findings } from './Findings';
 
 /** A key of one item; a pattern stands for several. */
 const plain = (key: string): boolean => !/[*]|\[[^\]\d]/.test(key);
@@ -33,7 +33,7 @@ function Chosen({ m, cell }: { m: Matrix; cell: Cell }) {
         {m.inputs.map((input, i) => <tr key={input.key}><th scope="row">{input.key}</th><td>{one.words[i]}</td></tr>)}
         {m.outputs.map((output, i) => <tr key={output.name}><th scope="row" title={output.name}>{output.name.replace(/^(static|dynamic|operation)\./, '')} <small>{output.unit}</small></th><td>{one.values[i] === null || one.values[i] === undefined ? '–' : tidy(one.values[i]!, 4)}</td></tr>)}
       </tbody></table>
-      {one.state === 'failed' ? <p class="fault">{withoutPaths(one.reason)}</p> : one.state === 'open' ? <p class="brief">Not computed yet.</p> : one.governing ? <p class={one.passed ? 'brief' : 'fault'}>{one.governing}: {one.utilisation === null ? '' : tidy(one.utilisation, 3)}{one.passed ? '' : ', exceeded'}</p> : null}
+      {one.state === 'failed' ? <p class="fault">{withoutPaths(one.reason)}</p> : one.state === 'open' ? <p class="brief">Not computed yet.</p> : <p class={one.passed ? 'brief' : one.verdict === 'reserved' ? 'note' : 'fault'}>{one.governing ? `${one.governing}: ${one.utilisation === null ? '' : tidy(one.utilisation, 3)}` : ''}{one.verdict === 'exceeded' ? ', exceeded' : one.obstacle ? `; passes with reservations: ${one.obstacle}` : ''}</p>}
       <button type="button" disabled={!m.inputs.every((i) => plain(i.key))} title="Sets the keys of the open model to the values of this case" onClick={() => void put(m, one)}>Open this case</button>
     </section>
   );
@@ -110,7 +110,7 @@ export function MatrixResults({ run }: { run: Run }) {
           {m.operability ? <Limits of={m.operability} /> : null}
           {m.cases.length ? <Charts m={m} /> : null}
           {run.has_results ? <div class="acts"><a class="button" href={reportAddress(run.id)} download={`${run.id}.html`}>Report</a><a class="button" href={tableAddress(run.id)} download={`${run.id}.csv`}>Table (CSV)</a></div> : null}
-          <Warnings list={bullets(m.warnings, [])} />
+          <Findings list={bullets(m.findings, [])} />
         </>
       ) : run.has_results ? <p class="brief">Loading…</p> : null}
       <button type="button" class="back" onClick={() => select(null)}>Back to the model</button>

@@ -1,6 +1,6 @@
 // The tab of the operation on the line: its stages in a table, and a first operation where there is none.
 import { cell, columnsOf, firstOperation, stageColours, stageLevel, stageName, whyNot, type FirstOperation } from '../logic/operation';
-import { bullets } from '../logic/warnings';
+import { bullets } from '../logic/findings';
 import { calm } from '../state/live';
 import { leftTab } from '../state/look';
 import { byPath, errors, setKeys } from '../state/model';
@@ -8,7 +8,7 @@ import { sayError } from '../state/notices';
 import { address } from '../api/client';
 import { startRun } from '../state/runs';
 import { chooseStage, chosenStage, hasOperation, operation, outdated, progress, solveOperation, solving } from '../state/operation';
-import { Warnings } from './Warnings';
+import { Findings } from './Findings';
 
 const offers: [FirstOperation, string, string][] = [
   ['abandonment', 'Abandonment', 'A head closes the pipe and is lowered to the bed on a cable'],
@@ -74,7 +74,7 @@ function Holds() {
 export function OperationTab() {
   if (!hasOperation.value) return <Offer />;
   const p = progress.value, o = operation.value, inTime = byPath.value.get('analysis.dynamic')?.given === true;
-  const warnings = o ? bullets([...o.warnings, ...o.stages.flatMap((s) => s.warnings)], []) : [];
+  const findings = o ? bullets([...o.findings, ...o.stages.flatMap((s) => s.findings)], []) : [];
   return (
     <div class="operation">
       <div class="acts">
@@ -88,7 +88,7 @@ export function OperationTab() {
       {outdated.value && !solving.value ? <p class="note">The model has changed since these stages were solved.</p> : null}
       <Table />
       <Holds />
-      <Warnings list={warnings} />
+      <Findings list={findings} />
     </div>
   );
 }

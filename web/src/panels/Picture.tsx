@@ -6,7 +6,7 @@ import { nearest } from '../logic/decimate';
 import { quantities, quantity } from '../logic/show';
 import { tidy } from '../logic/units';
 import { dragging, roundTrip } from '../state/live';
-import { keyName, withoutPaths } from '../logic/warnings';
+import { keyName, withoutPaths } from '../logic/findings';
 import { leadToFault } from '../state/lead';
 import { byPath, errors, hasModel, opened } from '../state/model';
 import { colourBy, cursor, dialog, picked, theme, type ColourBy } from '../state/look';

@@ -1,17 +1,17 @@
 // Key results of statics.
 import { fromSi, tidy, tidyLength, write } from '../logic/units';
 import { calm, failure } from '../state/live';
-import { bullet, bullets } from '../logic/warnings';
+import { bullet, bullets } from '../logic/findings';
 import { cursor } from '../state/look';
 import { diagnostics } from '../state/model';
 import { stageName } from '../logic/operation';
 import { chosenStage, shownStage, stageLay } from '../state/operation';
-import type { KeyResults, Region, StingerSectionState } from '../api/types';
+import type { KeyResults, Region, StingerSectionState, Verdict } from '../api/types';
 import { LaidPipe, Route } from './Ground';
 import { LineTable, MooringResults } from './Moorings';
 import { Sensitivities } from './Sensitivities';
 import { SeekButton } from './SeekDialog';
-import { Warnings } from './Warnings';
+import { Findings } from './Findings';
 
 /** `result`: its path in summary.json, of a value that can be sought. */
 export function Value({ name, value, unit, title, result }: { name: string; value: number | null | undefined; unit: string; title?: string; result?: string }) {
@@ -42,6 +42,11 @@ function RegionBlock({ name, r }: { name: string; r: Region | null }) {
   );
 }
 
+/** The one verdict on what is shown, with its reasons. */
+export function VerdictCard({ verdict }: { verdict: Verdict }) {
+  return <div class={`verdict ${verdict.kind.replace(' ', '-')}`} title={verdict.because}><b>{verdict.words}</b></div>;
+}
+
 export function Results() {
   const s = stageLay.value ?? calm.value;
   if (!s) return <section class="results"><h2>Results</h2><p class="empty">{failure.value ? '' : 'Static results appear here as soon as the model is complete.'}</p></section>;
@@ -50,6 +55,7 @@ export function Results() {
   return (
     <section class={`results${failure.value && !shownStage.value ? ' old' : ''}`} aria-label="Key results">
       <h2>Results {shownStage.value ? <small>stage {stageName(shownStage.value, chosenStage.value)}</small> : failure.value ? <small>last valid solution</small> : <small>statics</small>}</h2>
+      {s.verdict && s.verdict.kind !== 'not judged' ? <VerdictCard verdict={s.verdict} /> : null}
       {k ? (
         <>
           <RegionBlock name="Overbend" r={k.overbend} />
@@ -64,7 +70,7 @@ export function Results() {
       ) : null}
       <MooringResults />
       <LineTable lines={s.lines} />
-      <Warnings list={[...ofModel, ...bullets(s.warnings, s.supports.map((b) => b.name))]} />
+      <Findings list={[...ofModel, ...bullets(s.findings, s.supports.map((b) => b.name))]} />
     </section>
   );
 }

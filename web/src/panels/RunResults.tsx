@@ -1,14 +1,14 @@
 // The selected run: static values with minima and maxima over time, its warnings, its state.
 import { useState } from 'preact/hooks';
 import type { Lay, Region, RegionSummary, Run, RunSummary, Spread } from '../api/types';
-import { bullets, withoutPaths } from '../logic/warnings';
+import { bullets, withoutPaths } from '../logic/findings';
 import { display } from '../logic/show';
 import { fromSi, tidy } from '../logic/units';
 import { calmLay, ofRun } from '../state/shown';
 import { cancelRun, runName, runSummary, select, selected } from '../state/runs';
 import { FatigueResults } from './FatigueResults';
 import { LineTable, MooringResults } from './Moorings';
-import { Warnings } from './Warnings';
+import { Findings } from './Findings';
 
 interface Row { name: string; unit: string; before: number | null | undefined; over: Spread | null | undefined }
 
@@ -113,16 +113,18 @@ export function RunResults() {
   const run = selected.value;
   if (!run) return null;
   const s = runSummary.value;
-  const said = s ? [...(s.dynamic?.warnings ?? []), ...(s.warnings ?? [])] : [];
+  const said = s ? [...(s.dynamic?.findings ?? []), ...(s.findings ?? [])] : [];
   const boxes = (calmLay.value?.supports ?? []).map((b) => b.name);
   const loading = run.has_results && !ofRun.value;
+  const verdict = s?.dynamic?.verdict ?? s?.verdict;
   return (
     <section class="results ofrun" aria-label="Results of the run">
       <h2>{runName(run)} <small>{run.kind === 'dynamic' ? 'dynamic run' : 'static run'}</small></h2>
       {run.note ? <p class="note">{run.note}</p> : null}
       <Standing run={run} />
+      {verdict && verdict.kind !== 'not judged' ? <VerdictCard verdict={verdict} /> : null}
       {loading ? <p class="brief">Loading…</p> : <><Table /><Extremes /><FatigueResults /><MooringResults /><LineTable lines={calmLay.value?.lines ?? []} /></>}
-      <Warnings list={bullets(said, boxes)} />
+      <Findings list={bullets(said, boxes)} />
       {run.parent ? <button type="button" class="back" onClick={() => select(run.parent!)}>Back to the study</button> : null}
       <button type="button" class="back" onClick={() => select(null)}>Back to the model</button>
     </section>

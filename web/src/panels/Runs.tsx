@@ -3,7 +3,7 @@ import { useRef, useState } from 'preact/hooks';
 import { duration as inWords } from '../logic/show';
 import { isStudy } from '../logic/runs';
 import { tidy } from '../logic/units';
-import { withoutPaths } from '../logic/warnings';
+import { withoutPaths } from '../logic/findings';
 import type { Run } from '../api/types';
 import { annotate, cancelRun, deleteRun, reportAddress, resumeRun, runName, runs, select, selected, selectedId, timeToFinish } from '../state/runs';
 import { StartRun } from './StartRun';

@@ -1,10 +1,10 @@
 // What the cases of a study gave: several seeds by their statistics, variants beside each other.
 import type { Run, Study, StudyQuantity } from '../api/types';
 import { tidy } from '../logic/units';
-import { bullets } from '../logic/warnings';
+import { bullets } from '../logic/findings';
 import { reportAddress, runName, runs, select, study, tableAddress } from '../state/runs';
 import { Standing } from './RunResults';
-import { Warnings } from './Warnings';
+import { Findings } from './Findings';
 
 const shown = (value: number | null | undefined, q: StudyQuantity): string => (value === null || value === undefined ? '–' : tidy(value * q.factor, 4));
 
@@ -47,7 +47,7 @@ export function StudyResults({ run }: { run: Run }) {
             <a class="button" href={tableAddress(run.id)} download={`${run.id}.csv`}>Table (CSV)</a>
           </div>
           <Table of={of} />
-          <Warnings list={bullets(of.warnings.map((w) => (w.cases < of.cases.length ? `${w.text} (${w.cases} of ${of.cases.length})` : w.text)), [])} />
+          <Findings list={bullets(of.findings.map((f) => (f.cases < of.cases.length ? { ...f, message: `${f.message} (${f.cases} of ${of.cases.length})` } : f)), [])} />
         </>
       ) : run.has_results ? <p class="brief">Loading…</p> : null}
       <button type="button" class="back" onClick={() => select(null)}>Back to the model</button>

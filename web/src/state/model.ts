@@ -4,7 +4,7 @@ import { computed, signal } from '@preact/signals';
 import { ApiError, get, post, put } from '../api/client';
 import type { Change, Diagnostic, DiskConflict, Field, Info, ModelAnswer } from '../api/types';
 import { UndoStack, type Kept } from '../logic/undo';
-import { withoutPaths } from '../logic/warnings';
+import { withoutPaths } from '../logic/findings';
 import { say, sayError } from './notices';
 
 export const info = signal<Info | null>(null);

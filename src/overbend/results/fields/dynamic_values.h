@@ -17,7 +17,7 @@ void visit_dynamic_settings(Results& r, Visit& visit) {
   visit(ResultField{"output_step", "s", "Time between the rows of the histories"}.summary(), r.output_step);
   visit(ResultField{"seed", "1", "Seed of the random phases of the sea"}.summary(), r.seed);
   visit(ResultField{"assumptions", "1", "Assumptions"}.summary(), r.assumptions);
-  visit(ResultField{"warnings", "1", "Warnings"}.summary(), r.warnings);
+  visit(ResultField{"findings", "1", "Findings"}.summary(), r.findings);
   visit(ResultField{"non_stationary", "1", "Why there are no most probable extremes; empty where there are"}.summary(),
         r.non_stationary);
 }

@@ -131,7 +131,7 @@ void visit_stage_result(Row& r, Visit& visit) {
             .page()
             .report(),
         r.governing);
-  visit(ResultField{"warnings", "1", "Warnings on the stage"}.summary().page().report(), r.warnings);
+  visit(ResultField{"findings", "1", "Findings on the stage"}.summary().page().report(), r.findings);
 }
 
 /// Why a stage cannot be.
@@ -150,7 +150,7 @@ void visit_operation_heading(Row& r, Visit& visit) {
   visit(ResultField{"title", "1", "Title of the model"}.summary(), r.title);
   visit(ResultField{"version", "1", "Version of the program"}.summary(), r.version);
   visit(ResultField{"assumptions", "1", "Assumptions on the operation"}.summary(), r.assumptions);
-  visit(ResultField{"warnings", "1", "Warnings on the operation"}.summary().page(), r.warnings);
+  visit(ResultField{"findings", "1", "Findings on the operation"}.summary().page(), r.findings);
 }
 
 }  // namespace overbend

@@ -11,7 +11,7 @@ void visit_heading(Results& r, Visit& visit) {
   visit(ResultField{"title", "1", "Title of the model"}.summary(), r.title);
   visit(ResultField{"version", "1", "Version of the program"}.summary(), r.version);
   visit(ResultField{"assumptions", "1", "Assumptions"}.summary(), r.assumptions);
-  visit(ResultField{"warnings", "1", "Warnings on the model"}.summary().page(), r.warnings);
+  visit(ResultField{"findings", "1", "Findings"}.summary().page(), r.findings);
 }
 
 /// Where the line lies and how it is pulled.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "results/static_results.h"
+#include "results/verdict.h"
 
 namespace overbend {
 
@@ -52,6 +53,14 @@ struct Words<RollerPosition> {
 template <>
 struct Words<Structure> {
   static constexpr WordList<Structure, 2> list = {{{Structure::ramp, "ramp"}, {Structure::stinger, "stinger"}}};
+};
+
+template <>
+struct Words<VerdictKind> {
+  static constexpr WordList<VerdictKind, 4> list = {{{VerdictKind::passed, "passed"},
+                                                     {VerdictKind::reserved, "reserved"},
+                                                     {VerdictKind::exceeded, "exceeded"},
+                                                     {VerdictKind::not_judged, "not judged"}}};
 };
 
 template <class Enum>

@@ -1,0 +1,172 @@
+#include "checks/mooring_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "checks/check_row.h"
+
+namespace overbend {
+namespace {
+
+constexpr const char* kRp2sk = "API RP 2SK (3rd, 2005)";
+constexpr CheckTitle kBreaking = {
+    "mooring_load", "Mooring line, breaking load over safety factor", kRp2sk, "7.2", "tension at the fairlead", "N"};
+constexpr CheckTitle kWorking = {
+    "mooring_working_load", "Mooring line, working load", "project limit", "", "tension at the fairlead", "N"};
+constexpr CheckTitle kHolding = {
+    "anchor_load", "Anchor, holding power over safety factor", kRp2sk, "7.4", "tension at the anchor", "N"};
+constexpr CheckTitle kLine = {
+    "line_load", "Line, breaking load over safety factor", "safety factor", "", "effective tension", "N"};
+
+/// A tension and its utilisation of a strength without a factor.
+struct Load {
+  double tension = 0.0;
+  double use = 0.0;   ///< Tension over strength [-].
+  std::string where;  ///< "port bow, stage 2"
+};
+
+CheckRow row_with(const CheckTitle& title, const Load& load, const SafetyFactor& factor) {
+  CheckRow row = row_of(title, CheckRegion::line);
+  const double strength = load.tension / load.use;
+  judge_ratio(row, load.tension, strength / factor.value);
+  row.remark = fmt::format("{}: {:.1f} kN over a safety factor of {:.3g} ({})", load.where, 1e-3 * strength,
+                           factor.value, factor.source);
+  row.inputs = {{"T", "tension", load.tension, "N"},
+                {"R", "breaking load or holding power", strength, "N"},
+                {"n", "safety factor", factor.value, "1"}};
+  return row;
+}
+
+/// The row of one kind that is used most.
+class WorstRow {
+ public:
+  void add(const CheckTitle& title, const std::optional<double>& use, double tension, const std::string& where,
+           const SafetyFactor& factor) {
+    if (!use || !(*use > 0.0) || !(tension > 0.0)) return;
+    CheckRow row = row_with(title, {tension, *use, where}, factor);
+    if (!row_ || row.utilisation > row_->utilisation) row_ = std::move(row);
+  }
+  void put(std::vector<CheckRow>& rows, bool in_time) {
+    if (!row_) return;
+    if (in_time) row_->remark += "; largest of the run";
+    rows.push_back(std::move(*row_));
+  }
+
+ private:
+  std::optional<CheckRow> row_;
+};
+
+bool is_damaged(const MooredState& state) {
+  return std::ranges::any_of(state.moorings, &MooringLineResult::parted);
+}
+
+bool is_damaged(const Description& description, const DynamicResults& dynamics) {
+  const auto fails = [](const MooringLineDescription& line) { return line.fails_at.has_value(); };
+  return std::ranges::any_of(dynamics.moorings, [](const auto& line) { return line.parted_at.has_value(); }) ||
+         (description.moorings && std::ranges::any_of(description.moorings->lines, fails));
+}
+
+struct MooringWorst {
+  WorstRow breaking, working, holding;
+
+  void put(std::vector<CheckRow>& rows, bool in_time) {
+    breaking.put(rows, in_time);
+    working.put(rows, in_time);
+    holding.put(rows, in_time);
+  }
+};
+
+std::optional<double> over(double tension, const std::optional<double>& limit) {
+  return limit ? std::optional(tension / *limit) : std::nullopt;
+}
+
+void add_state(MooringWorst& worst, const Description& description, const MooredState& state) {
+  const SafetyFactors& given = description.checks.safety_factors;
+  const bool damaged = is_damaged(state);
+  const SafetyFactor line_factor = mooring_safety_factor(given, damaged, TensionAnalysis::quasi_static);
+  const SafetyFactor anchor_factor = anchor_safety_factor(given, damaged);
+  for (const MooringLineResult& line : state.moorings) {
+    if (line.parted) continue;
+    const std::string where = line.name + ", " + state.name;
+    const double tension = line.fairlead_tension;
+    worst.breaking.add(kBreaking, line.utilisation, tension, where, line_factor);
+    worst.working.add(kWorking, over(tension, description.moorings->working_load), tension, where,
+                      {1.0, "moorings.working_load"});
+    worst.holding.add(kHolding, line.anchor_utilisation, line.anchor_tension, where, anchor_factor);
+  }
+}
+
+void add_run(MooringWorst& worst, const Description& description, const DynamicResults& dynamics) {
+  const SafetyFactors& given = description.checks.safety_factors;
+  const bool damaged = is_damaged(description, dynamics);
+  const bool elements = description.moorings->model == MooringModel::elements;
+  const SafetyFactor line_factor =
+      mooring_safety_factor(given, damaged, elements ? TensionAnalysis::dynamic : TensionAnalysis::quasi_static);
+  const SafetyFactor anchor_factor = anchor_safety_factor(given, damaged);
+  for (const MooringLineDynamics& line : dynamics.moorings) {
+    const double tension = line.fairlead_tension.whole.max;
+    worst.breaking.add(kBreaking, line.utilisation, tension, line.name, line_factor);
+    worst.working.add(kWorking, over(tension, description.moorings->working_load), tension, line.name,
+                      {1.0, "moorings.working_load"});
+    worst.holding.add(kHolding, line.anchor_utilisation, line.anchor_tension.whole.max, line.name, anchor_factor);
+  }
+}
+
+}  // namespace
+
+SafetyFactor mooring_safety_factor(const SafetyFactors& given, bool damaged, TensionAnalysis analysis) {
+  const std::optional<double>& own = damaged ? given.mooring_damaged : given.mooring_intact;
+  const std::string state = damaged ? "damaged" : "intact";
+  if (own) return {*own, "checks.safety_factors.mooring_" + state};
+  const bool dynamic = analysis == TensionAnalysis::dynamic;
+  const double value = damaged ? (dynamic ? 1.25 : 1.43) : (dynamic ? 1.67 : 2.0);
+  return {value, fmt::format("API RP 2SK, {}, {} tension", state, dynamic ? "dynamic" : "quasi-static")};
+}
+
+SafetyFactor anchor_safety_factor(const SafetyFactors& given, bool damaged) {
+  const std::optional<double>& own = damaged ? given.anchor_damaged : given.anchor_intact;
+  if (own) return {*own, std::string("checks.safety_factors.anchor_") + (damaged ? "damaged" : "intact")};
+  return damaged ? SafetyFactor{1.0, "drag anchor, damaged, assumed"}
+                 : SafetyFactor{1.5, "drag anchor, intact, assumed"};
+}
+
+SafetyFactor cable_safety_factor(const SafetyFactors& given) {
+  if (given.cable) return {*given.cable, "checks.safety_factors.cable"};
+  return {3.0, "assumed: no public text gives a number"};
+}
+
+std::vector<CheckRow> mooring_rows(const Description& description, const MooringResults& rest,
+                                   const DynamicResults* dynamics) {
+  std::vector<CheckRow> rows;
+  if (!description.moorings) return rows;
+  MooringWorst worst;
+  if (dynamics != nullptr) {
+    add_run(worst, description, *dynamics);
+  } else {
+    add_state(worst, description, rest.rest);
+    for (const MooredState& stage : rest.stages) add_state(worst, description, stage);
+  }
+  worst.put(rows, dynamics != nullptr);
+  return rows;
+}
+
+std::vector<CheckRow> line_rows(const Description& description, const LinesResults& results) {
+  const std::optional<double>& own = description.checks.safety_factors.line;
+  const SafetyFactor factor =
+      own ? SafetyFactor{*own, "checks.safety_factors.line"}
+          : SafetyFactor{results.moved ? 1.67 : 2.0, "assumed: that of a mooring line, API RP 2SK"};
+  WorstRow worst;
+  for (const LineResult& line : results.lines) {
+    const bool in_time = results.moved && line.utilisation_in_time.has_value();
+    const std::optional<double>& use = in_time ? line.utilisation_in_time : line.utilisation;
+    worst.add(kLine, use, in_time ? std::max(line.largest_in_time, line.largest_tension) : line.largest_tension,
+              line.name, factor);
+  }
+  std::vector<CheckRow> rows;
+  worst.put(rows, results.moved);
+  return rows;
+}
+
+}  // namespace overbend

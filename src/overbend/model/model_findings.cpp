@@ -1,0 +1,81 @@
+#include "model/model_findings.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "model/rao_limits.h"
+
+namespace overbend {
+namespace {
+
+bool recorded_motion_moves(const VesselDescription& vessel) {
+  if (!vessel.history) return true;  // an error, elsewhere
+  const auto& rows = vessel.history->freedoms;
+  return std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row != rows.front(); });
+}
+
+bool vessel_moves(const VesselDescription& vessel) {
+  switch (vessel.motion) {
+    case VesselMotion::fixed:
+    case VesselMotion::raos:  // by waves alone
+      return false;
+    case VesselMotion::harmonic:
+      return std::any_of(vessel.harmonic.begin(), vessel.harmonic.end(),
+                         [](const auto& motion) { return motion.second.amplitude != 0.0; });
+    case VesselMotion::history:
+      return recorded_motion_moves(vessel);
+    case VesselMotion::coupled:
+      break;
+  }
+  return true;
+}
+
+/// Whether anything but waves and the vessel changes in time.
+bool gear_moves(const Description& d) {
+  const auto moving_end = [](const FreeLineDescription& line) {
+    return !line.first.amplitude.isZero(0.0) || !line.second.amplitude.isZero(0.0);
+  };
+  if (d.operation.type != OperationType::none || std::any_of(d.lines.begin(), d.lines.end(), moving_end)) return true;
+  if (!d.moorings) return false;
+  const auto fails = [](const MooringLineDescription& line) { return line.fails_at.has_value(); };
+  return !d.moorings->winches.empty() || std::any_of(d.moorings->lines.begin(), d.moorings->lines.end(), fails);
+}
+
+/// Lines that are to be pulled with more than breaks them: a slip in a tension or in a diameter.
+void warn_of_breaking_lines(Findings& findings, const MooringsDescription& moorings) {
+  for (const MooringLineDescription& line : moorings.lines) {
+    for (const LineSegmentDescription& segment : line.segments) {
+      if (!line.tension || !segment.type.breaking_load || *line.tension <= *segment.type.breaking_load) continue;
+      findings.push_back(Finding{
+          FindingCode::breaking_load_exceeded,
+          fmt::format("the tension of mooring line '{}', {:.4g} kN, is more than its breaking load, {:.4g} kN of {}",
+                      line.name, 1e-3 * *line.tension, 1e-3 * *segment.type.breaking_load, segment.type.made_from)}
+                             .on("mooring line " + line.name)
+                             .with("tension", *line.tension, "N"));
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+Findings model_findings(const Model& model) {
+  const Description& d = model.description;
+  Findings findings = d.findings;
+  if (d.vessel.raos) {
+    const RaoLimits limits =
+        long_wave_limits(*d.vessel.raos, d.vessel.length, d.vessel.draught, d.environment.water_depth);
+    append(findings, limit_findings(limits));
+  }
+  if (d.moorings) warn_of_breaking_lines(findings, *d.moorings);
+  if (d.dynamics && d.environment.waves.type == WaveType::none && !vessel_moves(d.vessel) && !gear_moves(d)) {
+    findings.push_back(
+        {FindingCode::nothing_moves,
+         "nothing moves in the dynamic analysis: the water is calm (environment.waves) and the vessel does not move "
+         "(vessel.motion)"});
+  }
+  return findings;
+}
+
+}  // namespace overbend

@@ -1,0 +1,78 @@
+#include "results/findings.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace overbend {
+namespace {
+
+Findings stage_findings(const StageResult& stage) {
+  return stage.lay ? merge(stage.findings, stage.lay->findings) : stage.findings;
+}
+
+Finding with_stages(const SharedFinding& shared, std::size_t stages) {
+  Finding finding = shared.worst;
+  finding.message = shared.text();
+  if (shared.runs.size() == stages) return finding;
+  std::vector<std::size_t> numbers = shared.runs;
+  for (std::size_t& number : numbers) ++number;
+  finding.message += fmt::format(" (stage{} {})", numbers.size() == 1 ? "" : "s", fmt::join(numbers, ", "));
+  return finding;
+}
+
+}  // namespace
+
+std::vector<std::string> together(std::vector<std::string> all, const std::vector<std::string>& more) {
+  for (const std::string& text : more) {
+    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+  }
+  return all;
+}
+
+const Findings& static_findings(const StaticResults& results) {
+  return results.has_pipe() ? results.findings : results.moorings->findings;
+}
+
+Findings all_findings(const StaticResults& statics, const DynamicResults& results) {
+  return merge(results.findings, static_findings(statics));
+}
+
+Findings operation_findings(const OperationResults& results) {
+  Findings all;
+  std::vector<Findings> stages;
+  for (std::size_t i = 0; i < results.stages.size(); ++i) {
+    const StageResult& stage = results.stages[i];
+    stages.push_back(stage_findings(stage));
+    if (!stage.failure) continue;
+    all.push_back(
+        Finding{FindingCode::stage_without_equilibrium,
+                fmt::format("stage {} ({}) has no equilibrium: {}", i + 1, stage.stage.name, stage.failure->why)}
+            .on("stage " + std::to_string(i + 1)));
+  }
+  append(all, results.findings);
+  for (const SharedFinding& shared : shared_findings(stages)) all.push_back(with_stages(shared, stages.size()));
+  return all;
+}
+
+CheckTable operation_checks(const OperationResults& results) {
+  CheckTable all;
+  for (const StageResult& stage : results.stages) {
+    if (!stage.lay) continue;
+    all.rows.insert(all.rows.end(), stage.lay->checks.rows.begin(), stage.lay->checks.rows.end());
+  }
+  return all;
+}
+
+Verdict operation_verdict(const OperationResults& results) {
+  Verdict verdict = make_verdict(operation_checks(results), operation_findings(results));
+  const auto failed = std::ranges::count_if(results.stages, [](const StageResult& stage) { return !stage.lay; });
+  if (failed == 0) return verdict;
+  const std::string words = fmt::format("{} OF {} STAGES WITHOUT EQUILIBRIUM", failed, results.stages.size());
+  verdict.words = verdict.kind == VerdictKind::exceeded ? words + ", " + verdict.words : words;
+  verdict.kind = VerdictKind::exceeded;
+  return verdict;
+}
+
+}  // namespace overbend

@@ -1,0 +1,33 @@
+/// Findings of results as a whole.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/finding.h"
+#include "results/dynamic_results.h"
+#include "results/operation_results.h"
+#include "results/verdict.h"
+
+namespace overbend {
+
+/// All sentences, then those of `more` that are not among them.
+std::vector<std::string> together(std::vector<std::string> all, const std::vector<std::string>& more);
+
+/// Of a static state: of the lay, or of the hull on its moorings where there is no pipe.
+const Findings& static_findings(const StaticResults& results);
+
+/// Of a run in time: its own, then those of the static state that it began from.
+Findings all_findings(const StaticResults& statics, const DynamicResults& results);
+
+/// Stages without equilibrium first, then the findings of the operation and of its stages, each once, with the numbers
+/// of the stages that have it where not all do.
+Findings operation_findings(const OperationResults& results);
+
+/// The checks of all stages in one table.
+CheckTable operation_checks(const OperationResults& results);
+
+/// Of all stages together; exceeded where a stage has no equilibrium.
+Verdict operation_verdict(const OperationResults& results);
+
+}  // namespace overbend

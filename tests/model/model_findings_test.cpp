@@ -1,0 +1,62 @@
+#include "model/model_findings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "modelfile/yaml_reader.h"
+#include "support/rao_files.h"
+
+namespace overbend {
+namespace {
+
+Description first_model() {
+  return read_model(OVERBEND_SOURCE_DIR "/examples/first-model.yaml").description.value();
+}
+
+bool says(const Description& d, const std::string& words) {
+  const std::vector<std::string> list = messages(model_findings(build_model(d)));
+  return std::any_of(list.begin(), list.end(),
+                     [&](const std::string& text) { return text.find(words) != std::string::npos; });
+}
+
+TEST(model_findings, a_dynamic_analysis_in_which_nothing_moves_is_told) {
+  const std::string words = "nothing moves in the dynamic analysis";
+  Description d = first_model();
+  EXPECT_FALSE(says(d, words));  // statics alone
+  d.dynamics.emplace();
+  EXPECT_TRUE(says(d, words));
+  Description moving = d;
+  moving.vessel.motion = VesselMotion::harmonic;
+  moving.vessel.harmonic["heave"] = {0.0, 8.0, 0.0};
+  EXPECT_TRUE(says(moving, words));
+  moving.vessel.harmonic["heave"].amplitude = 0.5;
+  EXPECT_FALSE(says(moving, words));
+  Description recorded = d;
+  recorded.vessel.motion = VesselMotion::history;
+  recorded.vessel.history = MotionHistory{{0.0, 1.0}, {{}, {}}, "still.csv"};
+  EXPECT_TRUE(says(recorded, words));
+  d.environment.waves.type = WaveType::airy;
+  EXPECT_FALSE(says(d, words));
+}
+
+TEST(model_findings, raos_that_disagree_with_long_waves_are_told) {
+  Description d = first_model();
+  d.vessel.motion = VesselMotion::raos;
+  d.vessel.raos = testing::bgl1_raos();
+  d.environment.water_depth = 89.0;
+  EXPECT_FALSE(says(d, "are the conventions"));
+  for (std::complex<double>& value : d.vessel.raos->values) value = -value;
+  EXPECT_TRUE(says(d, "are the conventions (vessel.motion.convention) right?"));
+}
+
+TEST(model_findings, a_mooring_line_that_is_to_be_pulled_beyond_its_strength_is_told) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-moored.yaml").description.value();
+  const std::string words = "is more than its breaking load";
+  EXPECT_FALSE(says(d, words));
+  d.moorings->lines[2].tension = 30e6;  // MN for kN
+  EXPECT_TRUE(says(d, "'" + d.moorings->lines[2].name + "', 3e+04 kN, " + words));
+}
+
+}  // namespace
+}  // namespace overbend

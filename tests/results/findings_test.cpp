@@ -1,0 +1,34 @@
+#include "results/findings.h"
+
+#include <gtest/gtest.h>
+
+namespace overbend {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+Finding about(const std::string& message) {
+  return {FindingCode::free_spans, message};
+}
+
+TEST(findings, of_a_run_in_time_are_its_own_and_then_those_of_statics_each_once) {
+  StaticResults statics;
+  statics.stations.resize(1);
+  statics.findings = {about("of both"), about("of statics")};
+  DynamicResults results;
+  results.findings = {about("in time"), about("of both")};
+  EXPECT_EQ(messages(all_findings(statics, results)), (Texts{"in time", "of both", "of statics"}));
+}
+
+TEST(findings, of_statics_without_a_pipe_are_those_of_the_hull_on_its_moorings) {
+  StaticResults statics;
+  statics.moorings.emplace();
+  statics.moorings->findings = {about("of the hull")};
+  EXPECT_EQ(messages(static_findings(statics)), Texts{"of the hull"});
+  statics.stations.resize(1);
+  statics.findings = {about("of the lay")};
+  EXPECT_EQ(messages(static_findings(statics)), Texts{"of the lay"});
+}
+
+}  // namespace
+}  // namespace overbend
