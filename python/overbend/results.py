@@ -176,6 +176,9 @@ class Results:
 class Checks(Records):
     """The code checks, a group for each: `.name`, `.status`, `.utilisation`, ...
 
+    `.sheet` of a check is its calculation, a group for each line: `.symbol`, `.formula`, `.value`, `.units`, `.origin`,
+    `.confirmation`; the last line is the utilisation.
+
     Attributes:
         worst: The governing check that is used most; None where none is judged.
     """

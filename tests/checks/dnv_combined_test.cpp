@@ -41,6 +41,27 @@ TEST(dnv_combined, displacement_controlled_is_that_computed_apart) {
   }
 }
 
+/// The criteria as Achanta, RigidPipe (2018), restates those of OS-F101, evaluated apart from the program: 406.4 x 15.9
+/// mm, f_y 432 and f_u 513.6 MPa, UOE, medium safety class, 400 kN m and 500 kN; 0.3 % of strain.
+TEST(dnv_combined, both_criteria_are_those_of_a_public_restatement) {
+  const Wall wall{0.4064, 0.0159, 207e9, 0.3};
+  constexpr double kFactor = 1.15 * 1.14;
+  const double collapse = collapse_pressure(wall, 432e6, 0.85, 0.005);
+  const LoadCapacity capacity = load_capacity(wall, 432e6, 513.6e6, collapse, kFactor);
+  EXPECT_NEAR(1e-6 * collapse, 21.410832, 1e-6);
+  EXPECT_NEAR(1e-6 * capacity.burst, 40.621803, 1e-6);
+  EXPECT_NEAR(capacity.alpha_c, 1.072282, 1e-6);
+  const auto load = [&](double out, double in) { return load_terms(capacity, 400e3, 500e3, out, in).utilisation(); };
+  EXPECT_NEAR(load(5e6, 0.0), 0.316675, 1e-6);
+  EXPECT_NEAR(load(0.0, 15e6), 0.268139, 1e-6);
+  EXPECT_NEAR(load(0.0, 30e6), 0.455259, 1e-6);  // above two thirds of the burst pressure
+  const double eps_c = strain_capacity(wall, 0.93, 0.0, 0.0);
+  EXPECT_NEAR(eps_c, 0.02392096, 1e-8);
+  const StrainCapacity strains{2.5 / eps_c, kFactor / collapse, capacity.burst, true};
+  EXPECT_NEAR(strain_terms(strains, 0.003, 5e6, 0.0).utilisation(), 0.701544, 1e-6);
+  EXPECT_NEAR(strain_terms(strains, 0.003, 0.0, 15e6).utilisation(), 0.100387, 1e-6);
+}
+
 TEST(dnv_combined, load_effects_times_the_reserve_factor_use_the_whole_capacity) {
   for (const TestPipe& p : kTestPipes) {
     const LoadCapacity capacity = capacity_of(p);

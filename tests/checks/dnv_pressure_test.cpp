@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "checks/dnv_strength.h"
 #include "checks/test_pipes.h"
 
 namespace overbend {
@@ -25,6 +26,33 @@ TEST(dnv_pressure, collapse_and_propagation_are_those_computed_apart) {
     EXPECT_NEAR(1e-6 * propagation, p.propagation, kDigits4);
     EXPECT_NEAR(p.pressure() * kGammas / collapse, p.collapse_share, 0.5e-5);
     EXPECT_NEAR(p.pressure() * kGammas / propagation, p.propagation_share, 0.5e-5);
+  }
+}
+
+/// Worked numbers of McEntee, PDover2t (2018), for ST-F101: 660 x 19.7 and 20.7 mm, f_y 444 MPa, UOE, 410 m of water.
+/// To the digits that are printed there.
+TEST(dnv_pressure, collapse_and_propagation_are_those_that_a_public_implementation_prints) {
+  const Wall thinnest{0.660, 0.0197, 207e9, 0.3}, nominal{0.660, 0.0207, 207e9, 0.3};
+  const double collapse = collapse_pressure(thinnest, 444e6, 0.85, 0.005);
+  const double propagation = propagation_pressure(nominal, 444e6, 0.85);
+  const double outside = 1027.0 * 9.81 * 410.0, medium = 1.15 * safety_class_factor(SafetyClass::medium);
+  EXPECT_NEAR(elastic_collapse_pressure(thinnest), 12098341.0, 1.0);
+  EXPECT_NEAR(plastic_collapse_pressure(thinnest, 444e6, 0.85), 22529636.4, 1.0);
+  EXPECT_NEAR(collapse, 10831164.1, 1.0);
+  EXPECT_NEAR(propagation, 2301102.5, 1.0);
+  EXPECT_NEAR(medium * outside / collapse, 0.500, 1e-3);
+  EXPECT_NEAR(medium * outside / propagation, 2.353, 1e-3);
+}
+
+/// Worked numbers of Subsea Energies, refpy, for four pipes.
+TEST(dnv_pressure, burst_is_that_which_a_public_implementation_prints) {
+  struct Printed {
+    double diameter, wall, strength, burst;
+  };
+  for (const Printed& p :
+       {Printed{0.2731, 0.0097, 414.72e6, 35270393.70}, Printed{0.3239, 0.0129, 399.36e6, 38255444.18},
+        Printed{0.2731, 0.0097, 460.80e6, 39189326.34}, Printed{0.3239, 0.0129, 436.80e6, 41841892.07}}) {
+    EXPECT_NEAR(burst_pressure({p.diameter, p.wall, 207e9, 0.3}, p.strength), p.burst, 0.01);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -52,6 +53,64 @@ TEST(fatigue_curve, every_curve_is_continuous_where_the_tables_change_its_slope)
   }
 }
 
+/// Ranges that the package pythagoras has for the change of slope in air, in MPa.
+TEST(fatigue_curve, ranges_at_ten_million_cycles_in_air_are_those_of_a_public_package) {
+  constexpr std::array kRanges = {106.97, 93.59, 73.10, 65.50, 58.48, 52.63, 46.78,
+                                  41.52,  36.84, 32.75, 29.24, 26.32, 23.39, 21.05};
+  for (std::size_t i = 0; i < kRanges.size(); ++i) {
+    const SnCurve curve = sn_curve(static_cast<FatigueCurve>(i), FatigueMedium::air);
+    EXPECT_NEAR(curve.range_of(1e-7) / kMPa, kRanges[i], 1e-3 * kRanges[i]) << i;
+  }
+}
+
+/// Life by the edition of 2016 over that by the edition of 2024, whose constants are those of NREL, pCrunch: worked out
+/// apart, to two decimals.
+TEST(fatigue_curve, editions_differ_for_c_c1_and_c2_by_what_their_constants_say) {
+  const auto lives = [](FatigueCurve curve, FatigueMedium medium, double megapascal) {
+    return life(sn_curve(curve, medium, FatigueEdition::year_2016), megapascal) /
+           life(sn_curve(curve, medium, FatigueEdition::year_2024), megapascal);
+  };
+  const FatigueMedium air = FatigueMedium::air, water = FatigueMedium::seawater_protected;
+  EXPECT_NEAR(lives(FatigueCurve::c, air, 60.0), 0.51, 0.005);
+  EXPECT_NEAR(lives(FatigueCurve::c, air, 90.0), 0.77, 0.005);
+  EXPECT_NEAR(lives(FatigueCurve::c, air, 150.0), 1.10, 0.005);
+  EXPECT_NEAR(lives(FatigueCurve::c, air, 200.0), 1.27, 0.005);
+  EXPECT_NEAR(lives(FatigueCurve::c, air, 300.0), 1.55, 0.005);
+  EXPECT_NEAR(lives(FatigueCurve::c1, air, 200.0), 1.34, 0.005);
+  EXPECT_NEAR(lives(FatigueCurve::c1, air, 300.0), 1.64, 0.005);
+  EXPECT_NEAR(lives(FatigueCurve::c2, air, 200.0), 1.41, 0.005);
+  EXPECT_NEAR(lives(FatigueCurve::c2, air, 300.0), 1.73, 0.005);
+  EXPECT_NEAR(lives(FatigueCurve::c, water, 300.0), 1.00, 0.005);
+  EXPECT_NEAR(lives(FatigueCurve::c2, water, 300.0), 1.12, 0.005);
+  EXPECT_LT(lives(FatigueCurve::b1, water, 200.0), 1.0);
+  EXPECT_EQ(lives(FatigueCurve::b1, air, 200.0), 1.0);
+  for (const FatigueCurve curve : {FatigueCurve::d, FatigueCurve::e, FatigueCurve::f1, FatigueCurve::w3}) {
+    EXPECT_EQ(lives(curve, air, 200.0), 1.0);
+    EXPECT_EQ(lives(curve, water, 20.0), 1.0);
+  }
+}
+
+TEST(fatigue_curve, the_curves_of_2024_change_slope_at_five_million_cycles_in_air_and_a_million_in_water) {
+  for (const FatigueCurve curve : {FatigueCurve::c, FatigueCurve::c1, FatigueCurve::c2}) {
+    const SnCurve air = sn_curve(curve, FatigueMedium::air, FatigueEdition::year_2024);
+    const SnCurve water = sn_curve(curve, FatigueMedium::seawater_protected, FatigueEdition::year_2024);
+    EXPECT_NEAR(1.0 / air.damage(air.knee) / 5e6, 1.0, 0.02);  // three decimals of log a
+    EXPECT_NEAR(1.0 / water.damage(water.knee) / 1e6, 1.0, 0.02);
+  }
+  for (const FatigueCurve curve : {FatigueCurve::b1, FatigueCurve::b2}) {
+    const SnCurve water = sn_curve(curve, FatigueMedium::seawater_protected, FatigueEdition::year_2024);
+    EXPECT_NEAR(1.0 / water.damage(water.knee) / 1e6, 1.0, 0.02);
+  }
+}
+
+/// At 40 mm: (40/25)^0.05 and the (40/25)^0.15 of the editions with the larger exponent, which goes with 2024.
+TEST(fatigue_curve, the_larger_thickness_exponent_goes_with_the_edition_for_which_none_is_known) {
+  const SnCurve old = sn_curve(FatigueCurve::c, FatigueMedium::air, FatigueEdition::year_2016);
+  const SnCurve renewed = sn_curve(FatigueCurve::c, FatigueMedium::air, FatigueEdition::year_2024);
+  EXPECT_NEAR(thickness_effect(old, 0.040), 1.024, 0.0005);
+  EXPECT_NEAR(thickness_effect(renewed, 0.040), 1.073, 0.0005);
+}
+
 TEST(fatigue_curve, free_corrosion_has_one_slope_and_is_the_worst) {
   for (int i = 0; i < 14; ++i) {
     const SnCurve free = sn_curve(static_cast<FatigueCurve>(i), FatigueMedium::seawater_free);
@@ -86,6 +145,13 @@ TEST(fatigue_curve, hi_lo_of_a_flat_plate_bends_it_by_three_times_its_eccentrici
   EXPECT_NEAR(hi_lo_factor(0.002, 1e9, 0.020), 1.3, 1e-5);
   // By hand for 323.9 x 12.7 mm with 1.5 mm: 0.354331 exp(-0.198014).
   EXPECT_NEAR(hi_lo_factor(0.0015, 0.3239, 0.0127), 1.290678, 1e-6);
+}
+
+/// The package pythagoras has the newer formula of a transition in thickness, of which this is the form for equal
+/// walls: misalignment of 1 mm, a transition as long as the wall.
+TEST(fatigue_curve, hi_lo_lies_within_half_a_per_cent_of_the_newer_formula) {
+  EXPECT_NEAR(hi_lo_factor(0.001, 0.4064, 0.011125) / 1.2320, 1.0, 5e-3);
+  EXPECT_NEAR(hi_lo_factor(0.001, 0.32385, 0.0206) / 1.1158, 1.0, 5e-3);
 }
 
 /// Lower incomplete gamma function by its series.

@@ -37,6 +37,13 @@ TEST(dent, of_a_five_percent_deep_dent_takes_the_force_worked_out_by_hand) {
   EXPECT_NEAR(dent_depth(347.2e3, kDiameter, kWall, kYield), 0.05 * kDiameter, 1e-3 * 0.05 * kDiameter);
 }
 
+/// Energy is two thirds of force times depth, because the force grows with the root of the depth.
+TEST(dent, a_five_percent_deep_dent_takes_the_energy_worked_out_by_hand) {
+  const double depth = dent_depth(347.16e3, kDiameter, kWall, kYield);
+  EXPECT_NEAR(depth, 0.05 * kDiameter, 1e-4 * 0.05 * kDiameter);  // five digits of the force
+  EXPECT_NEAR(2.0 / 3.0 * 347.16e3 * depth, 4703.0, 1.0);
+}
+
 TEST(dent, grows_with_the_square_of_the_force_and_has_no_threshold) {
   const double one = dent_depth(100e3, kDiameter, kWall, kYield);
   EXPECT_GT(one, 0.0);

@@ -96,6 +96,12 @@ class Statics(unittest.TestCase):
             self.static.layback
         self.assertIn("lay_back", str(caught.exception))
 
+    def test_the_calculation_sheet_of_a_check_ends_with_its_utilisation(self):
+        sheet = self.static.checks.worst.sheet
+        self.assertEqual(sheet[-1].symbol, "U")
+        self.assertEqual(sheet[-1].value, self.static.checks.worst.utilisation)
+        self.assertTrue(all(line.origin or line.formula for line in sheet))
+
     def test_checks_have_the_governing_one(self):
         self.assertEqual(self.static.checks.worst.utilisation, self.told["checks"]["worst"]["utilisation"])
         self.assertEqual(len(self.static.checks), len(self.told["checks"]["list"]))

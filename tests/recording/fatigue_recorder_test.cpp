@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
+#include "checks/check_rows.h"
 #include "recording/fatigue_remarks.h"
 #include "support/allocation_count.h"
 #include "support/bgl1_in_time.h"
+#include "support/formula_value.h"
 #include "support/memory_sink.h"
 
 namespace overbend {
@@ -37,6 +40,7 @@ class TwoStations {
     return d;
   }
 
+  const Model& model() const { return model_; }
   const Section& section() const { return model_.sections[0]; }
   FatigueRecorder& recorder() { return recorder_; }
 
@@ -55,6 +59,7 @@ class TwoStations {
     DynamicResults r;
     r.duration = 100.0;
     r.station_s = {0.0, 100.0};
+    r.static_place = {Vec3(0.0, 0.0, -20.0), Vec3(100.0, 0.0, -20.0)};
     r.von_mises.max = {0.0, 0.0};
     recorder_.fill(r);
     return r;
@@ -105,6 +110,36 @@ TEST(fatigue_recorder, stress_ranges_are_those_of_axial_force_and_bending_at_the
     EXPECT_EQ(spot.rate[1], 0.0) << i;
     EXPECT_EQ(spot.worst_s, 0.0) << i;
   }
+}
+
+/// Under a load that leaves one range, in the edition that has another slope for curve C.
+TEST(fatigue_recorder, the_sheet_of_the_check_gives_damage_rate_and_utilisation_by_the_edition_asked_for) {
+  FatigueDescription fatigue = standard();
+  fatigue.spots = {{"cap", false, FatigueCurve::c, {}, 1.2}};
+  double rates[2] = {};
+  for (const FatigueEdition edition : {FatigueEdition::year_2016, FatigueEdition::year_2024}) {
+    fatigue.edition = edition;
+    TwoStations line(fatigue);
+    line.wave(
+        0.0, 100.0, [](double t) { return 1500e3 * (2.0 + swing(t)); }, [](double) { return Vec3(0.0, 0.0, 0.0); });
+    const DynamicResults r = line.results();
+    const CheckRow row = fatigue_rows(line.model(), r).at(0);
+    std::map<std::string, double> values;
+    for (const SheetLine& entry : row.sheet) {
+      const double value = entry.formula.empty() ? entry.value : testing::formula_value(entry.formula, values);
+      EXPECT_NEAR(value, entry.value, 1e-9 * entry.value) << entry.symbol;
+      values[entry.symbol] = value;
+    }
+    EXPECT_NEAR(values.at("D_d"), r.fatigue->spots[0].worst_rate, 1e-9 * values.at("D_d"));
+    EXPECT_NEAR(values.at("U"), row.utilisation, 1e-9 * row.utilisation);
+    const bool renewed = edition == FatigueEdition::year_2024;
+    EXPECT_EQ(values.at("m"), renewed ? 3.5 : 3.0);
+    EXPECT_EQ(row.code, renewed ? "DNV-RP-C203 (2024)" : "DNV-RP-C203 (2016)");
+    rates[renewed ? 1 : 0] = values.at("D_d");
+  }
+  // 2 x 1500 kN over 138 cm2 times 1.2 is a range of 261 MPa: the lines cross at 301 MPa in protected seawater
+  EXPECT_GT(rates[0], rates[1]);
+  EXPECT_LT(rates[0], 1.2 * rates[1]);
 }
 
 /// Of eight points one is never farther from the plane of bending than 22.5 degrees: 7.6 % of the range at most.

@@ -24,8 +24,8 @@ TEST(checks_section, tells_every_check_with_its_code) {
     EXPECT_NE(text.find(">" + row.name + "<"), std::string::npos) << row.name;
     EXPECT_NE(text.find(row.code), std::string::npos) << row.code;
   }
-  for (const char* said : {"Governing check of each region", "No governing check is exceeded", "printed standards",
-                           "not done: needs a dynamic analysis", "for information"}) {
+  for (const char* said : {"Governing check of each region", "No governing check is exceeded",
+                           "see the calculation sheet", "not done: needs a dynamic analysis", "for information"}) {
     EXPECT_NE(text.find(said), std::string::npos) << said;
   }
   EXPECT_EQ(count(text, "data-figure=\"checks\""), 2u);

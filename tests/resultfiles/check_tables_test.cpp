@@ -40,6 +40,22 @@ TEST(check_tables, csv_speaks_the_units_of_the_other_tables) {
   EXPECT_NE(text.find("t2 = 12.7 mm; eps = 0.23 %; gamma = 2\r\n"), std::string::npos) << text;
 }
 
+TEST(check_tables, the_calculation_sheet_has_a_row_per_line_with_values_in_si) {
+  CheckTable table;
+  CheckRow& row = table.rows.emplace_back();
+  row.name = "Burst";
+  row.code = "Code (2021)";
+  row.clause = "5.4.2";
+  row.s = 12.5;
+  row.sheet = {{"f_y", "strength", "", 430e6, "Pa", "5.3.3", Confirmation::two_sources, "A; B"},
+               {"p_b", "pressure", "f_y 2/sqrt(3)", 0.5e9, "Pa", "5.4.2", Confirmation::unconfirmed, ""}};
+  const std::string text = calculation_sheet_table(table);
+  EXPECT_EQ(text,
+            "check,code,clause,region,s [m],symbol,meaning,formula,value,units,origin,confirmation,sources\r\n"
+            "Burst,Code (2021),5.4.2,line,12.5,f_y,strength,,430000000,Pa,5.3.3,two or more sources,A; B\r\n"
+            "Burst,Code (2021),5.4.2,line,12.5,p_b,pressure,f_y 2/sqrt(3),500000000,Pa,5.4.2,unconfirmed,\r\n");
+}
+
 TEST(check_tables, json_names_the_worst_and_leaves_out_what_is_not_done) {
   const CheckTable& table = solved_case("BGL1-T250").results.checks;
   const auto json = summary_checks(SummaryStyle{}, table);

@@ -33,7 +33,7 @@ TEST(dynamic_writer, writes_the_files) {
     names.insert(entry.path().filename());
   }
   EXPECT_EQ(names, (std::set<std::string>{"summary.json", "pipe.csv", "supports.csv", "impacts.csv", "checks.csv",
-                                          "results.h5"}));
+                                          "calculation_sheet.csv", "results.h5"}));
   EXPECT_EQ(testing::file_text(folder / "out/summary.json"), dynamic_summary(statics, dynamics));
   EXPECT_EQ(testing::file_text(folder / "out/impacts.csv"), impacts_table(dynamics));
 }

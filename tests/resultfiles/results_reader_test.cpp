@@ -47,13 +47,15 @@ TEST(field_lists, hold_every_member_of_a_route_and_of_a_limit_of_friction) {
 }
 
 TEST(field_lists, hold_every_member_of_a_check) {
-  SizeVisitor row, input, along, design;
+  SizeVisitor row, input, line, along, design;
   visit_check<const CheckRow>(CheckRow{}, row);
   visit_check_input<const CheckInput>(CheckInput{}, input);
+  visit_sheet_line<const SheetLine>(SheetLine{}, line);
   visit_check_along<const CheckAlong>(CheckAlong{}, along);
   visit_station_design<const StationDesign>(StationDesign{}, design);
   constexpr std::size_t kShared = 8;  // region and status, two words, share eight bytes
-  EXPECT_EQ(row.bytes + kListBytes - kShared, sizeof(CheckRow));
+  EXPECT_EQ(row.bytes + 2 * kListBytes - kShared, sizeof(CheckRow));
+  EXPECT_EQ(line.bytes, sizeof(SheetLine));
   EXPECT_EQ(input.bytes, sizeof(CheckInput));
   EXPECT_EQ(along.bytes, sizeof(CheckAlong));
   EXPECT_EQ(design.bytes, sizeof(StationDesign));

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 using testing::solved_case;
 using testing::TemporaryFolder;
 
-const std::set<std::string> kAllFiles = {"summary.json", "pipe.csv",   "supports.csv",
-                                         "checks.csv",   "results.h5", ".overbend-files"};
+const std::set<std::string> kAllFiles = {"summary.json",          "pipe.csv",   "supports.csv",   "checks.csv",
+                                         "calculation_sheet.csv", "results.h5", ".overbend-files"};
 
 std::set<std::string> names_in(const fs::path& folder) {
   std::set<std::string> names;

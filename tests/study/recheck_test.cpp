@@ -150,7 +150,7 @@ TEST(recheck, writes_results_that_are_those_of_a_new_analysis_but_for_times) {
     const fs::path h5 = folder / "results.h5";
     EXPECT_EQ(bits_of(stored(h5)), bits_of(again));
     EXPECT_EQ(bits_of(recheck(h5, {"checks.safety_class=low"})), bits_of(stored(low)));
-    for (const char* table : {"checks.csv", "pipe.csv", "supports.csv"}) {
+    for (const char* table : {"checks.csv", "calculation_sheet.csv", "pipe.csv", "supports.csv"}) {
       const std::string written = scratch.read(std::string("again/") + table);
       std::ifstream other(fs::path(analyses().folder(command, "high")) / table, std::ios::binary);
       EXPECT_EQ(written, std::string(std::istreambuf_iterator<char>(other), {})) << table;

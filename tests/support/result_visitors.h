@@ -67,6 +67,7 @@ inline void visit_checks(const CheckTable& table, BitsVisitor& bits) {
   for (const CheckRow& row : table.rows) {
     visit_check(row, bits);
     for (const CheckInput& input : row.inputs) visit_check_input(input, bits);
+    for (const SheetLine& line : row.sheet) visit_sheet_line(line, bits);
   }
   visit_check_along(table.along, bits);
   bits(ResultField{"assumptions"}, table.assumptions);

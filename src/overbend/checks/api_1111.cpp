@@ -6,11 +6,17 @@
 
 namespace overbend {
 
-double api_collapse_pressure(const ApiPipe& pipe) {
+double api_yield_pressure(const ApiPipe& pipe) {
+  return 2.0 * pipe.yield_stress * pipe.wall / pipe.diameter;
+}
+
+double api_elastic_pressure(const ApiPipe& pipe) {
   const double ratio = pipe.wall / pipe.diameter;
-  const double yielding = 2.0 * pipe.yield_stress * ratio;
-  const double elastic =
-      2.0 * pipe.youngs_modulus * ratio * ratio * ratio / (1.0 - pipe.poissons_ratio * pipe.poissons_ratio);
+  return 2.0 * pipe.youngs_modulus * ratio * ratio * ratio / (1.0 - pipe.poissons_ratio * pipe.poissons_ratio);
+}
+
+double api_collapse_pressure(const ApiPipe& pipe) {
+  const double yielding = api_yield_pressure(pipe), elastic = api_elastic_pressure(pipe);
   return yielding * elastic / std::hypot(yielding, elastic);
 }
 

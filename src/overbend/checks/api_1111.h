@@ -1,6 +1,7 @@
 /// API RP 1111, 3rd (1999) and 4th edition (2009): collapse, bending with external pressure, propagation, tension and
-/// combined load of a pipeline under installation. Nominal dimensions. Recalled, not compared with the printed page.
-/// SI.
+/// combined load of a pipeline under installation. Nominal dimensions. Compared with public restatements: collapse,
+/// bending, propagation, burst and tension with two, the buckling strain with one, g with none
+/// (docs/theory/checks.md). SI.
 #pragma once
 
 namespace overbend {
@@ -12,7 +13,11 @@ struct ApiPipe {
   double poissons_ratio = 0.0;        ///< [-]
 };
 
-/// P_c = P_y P_e/sqrt(P_y^2 + P_e^2) [Pa] (4.3.2.1) with P_y = 2 S t/D and P_e = 2 E (t/D)^3/(1 - nu^2).
+/// P_y = 2 S t/D and P_e = 2 E (t/D)^3/(1 - nu^2) [Pa].
+double api_yield_pressure(const ApiPipe& pipe);
+double api_elastic_pressure(const ApiPipe& pipe);
+
+/// P_c = P_y P_e/sqrt(P_y^2 + P_e^2) [Pa] (4.3.2.1).
 double api_collapse_pressure(const ApiPipe& pipe);
 
 /// eps_b = t/(2 D) [-]: buckling strain under pure bending (4.3.2.2).
@@ -35,7 +40,8 @@ double api_yield_tension(const ApiPipe& pipe);
 /// P_b = 0.45 (S + U) ln(D/D_i) [Pa], with U the tensile strength.
 double api_burst_pressure(const ApiPipe& pipe, double tensile_strength);
 
-/// sqrt(((P_i - P_o)/P_b)^2 + (T_eff/T_y)^2) [-] (4.3.1.2), at most 0.90 for functional and 0.96 for extreme loads.
+/// sqrt(((P_i - P_o)/P_b)^2 + (T_eff/T_y)^2) [-] (4.3.1.2), at most 0.90 for functional and 0.96 for extreme
+/// loads; one public text has 0.96 for installation as well.
 double api_combined_load(const ApiPipe& pipe, double tensile_strength, double overpressure, double tension);
 
 inline constexpr double kApiPropagationFactor = 0.80;

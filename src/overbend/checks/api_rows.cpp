@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "checks/api_sheet.h"
 #include "checks/check_row.h"
 #include "checks/check_rows.h"
 
@@ -28,6 +29,7 @@ CheckRow collapse_row(const CheckStations& all, const CheckSettings& settings) {
   judge_ratio(row, std::max(at->overpressure, 0.0), limit(section));
   row.inputs = {{"P_c", "collapse pressure", api_collapse_pressure(section.api), "Pa"},
                 {"f_o", "collapse factor", section.api_collapse_share, "1"}};
+  row.sheet = api_collapse_sheet(all, *at, settings, row.utilisation);
   return row;
 }
 
@@ -42,6 +44,7 @@ CheckRow propagation_row(const CheckStations& all, const CheckSettings& settings
   place_row(row, *at);
   judge_ratio(row, std::max(at->overpressure, 0.0), limit(all.section_of(*at)));
   row.inputs = {{"P_p", "propagation pressure", api_propagation_pressure(all.section_of(*at).api), "Pa"}};
+  row.sheet = api_propagation_sheet(all, *at, row.utilisation);
   if (row.status == CheckStatus::exceeded) {
     row.remark = "a buckle would propagate: buckle arrestors are needed";
   }
@@ -70,6 +73,7 @@ CheckRow bending_row(const CheckStations& all, CheckRegion region, const CheckSe
                 {"P_o - P_i", "external minus internal pressure", at->overpressure, "Pa"},
                 {"f_c", "factor on collapse pressure", section.api_pressure_factor, "1"},
                 {"delta", "ovality according to API", section.api_delta, "1"}};
+  row.sheet = api_bending_sheet(all, *at, settings, row.utilisation);
   judge(row);
   if (any_section(all, region, [](const CheckSection& s) { return s.wall.slenderness() > kApiMostSlender; })) {
     outside(row, "valid for D/t <= 50");
@@ -88,6 +92,7 @@ CheckRow tension_row(const CheckStations& all, const CheckSettings& settings) {
   if (all.in_time) time_row(row, at->largest_tension.time);
   judge_ratio(row, std::max(at->largest_tension.value, 0.0), limit(all.section_of(*at)));
   row.inputs = {{"T_y", "yield tension", api_yield_tension(all.section_of(*at).api), "N"}};
+  row.sheet = api_tension_sheet(all, *at, row.utilisation);
   return row;
 }
 
@@ -110,6 +115,7 @@ CheckRow combined_row(const CheckStations& all, const CheckSettings& settings) {
   row.inputs = {{"T_eff", "effective tension", at->largest_tension.value, "N"},
                 {"P_o - P_i", "external minus internal pressure", at->overpressure, "Pa"},
                 {"P_b", "burst pressure", api_burst_pressure(all.section_of(*at).api, all.section_of(*at).smts), "Pa"}};
+  row.sheet = api_combined_sheet(all, *at, row.capacity, row.utilisation);
   return row;
 }
 

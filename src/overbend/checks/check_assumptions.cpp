@@ -13,13 +13,19 @@ namespace {
 void assume_sources(std::vector<std::string>& list, const CheckSettings& settings) {
   if (settings.codes != CheckCodes::api) {
     list.emplace_back(
-        "Code checks: collapse and propagation to DNV-ST-F101 follow a public source that cites the clauses; the load "
-        "factors, the load-controlled, displacement-controlled and simplified laying criteria are recalled. None has "
-        "been compared with the printed standard; do so before relying on them.");
+        "Code checks: the formulas of DNV-ST-F101 are compared with public restatements, as the calculation sheet says "
+        "line by line; parts of the load-controlled, displacement-controlled and simplified laying criteria are "
+        "recalled "
+        "and could not be confirmed: the girth weld factor, the table of laying strains and 0.87 f_y. Compare the "
+        "sheet "
+        "with the printed standard.");
   }
   if (settings.codes != CheckCodes::dnv) {
     list.emplace_back(
-        "Code checks: the formulas of API RP 1111 are recalled and have not been compared with the printed standard.");
+        "Code checks: the formulas of API RP 1111 are compared with public restatements, as the calculation sheet "
+        "says; "
+        "the ovality factor g and the factor f_1 of API RP 1111 are recalled and could not be confirmed. Compare the "
+        "sheet with the printed standard.");
   }
 }
 
@@ -32,6 +38,11 @@ void assume_dnv(std::vector<std::string>& list, const CheckStations& all, const 
       "Code checks: over the supports the pipe conforms to the stinger and is checked as displacement controlled; the "
       "load-controlled criterion is given there for information. Below the last support in contact, in "
       "the sagbend and on the seabed it is checked as load controlled. Regions are those of the static state.");
+  list.emplace_back(
+      "Code checks: a Lueders plateau of the stress-strain curve and point loads, which the displacement-controlled "
+      "criterion of DNV-ST-F101 has treated since 2017, do not enter; of steel with a plateau the strain capacity may "
+      "be "
+      "lower.");
   const char* current = !all.current_separate ? "with its current" : "without its current";
   list.push_back(
       all.in_time

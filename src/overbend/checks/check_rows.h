@@ -20,7 +20,7 @@ std::vector<CheckRow> api_rows(const CheckStations& all, const CheckSettings& se
 std::vector<CheckRow> equipment_rows(const Model& model, const StaticResults& statics, const DynamicResults* dynamics);
 
 /// Fatigue of welds while the pipe is laid, where the run counted it.
-std::vector<CheckRow> fatigue_rows(const DynamicResults& dynamics);
+std::vector<CheckRow> fatigue_rows(const Model& model, const DynamicResults& dynamics);
 
 /// Diameter over wall thickness up to which API's formulas of bending hold.
 inline constexpr double kApiMostSlender = 50.0;

@@ -1,5 +1,6 @@
 #include "checks/check_section.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "checks/dnv_strength.h"
@@ -47,8 +48,9 @@ void find_api_factors(CheckSection& out, const CheckSettings& settings, Manufact
   out.api = {out.wall.diameter, out.wall.thickness, out.smys, out.wall.youngs_modulus, out.wall.poissons_ratio};
   out.api_collapse_share = settings.api.collapse_factor.value_or(expanded ? 0.6 : 0.7);
   out.api_delta = settings.api.ovality.value_or(0.5 * settings.ovality);
+  const double since_fourth = std::min(1.0, out.api_collapse_share / api_ovality_factor(out.api_delta));
   out.api_pressure_factor =
-      settings.api.edition == ApiEdition::third ? 1.0 : out.api_collapse_share / api_ovality_factor(out.api_delta);
+      settings.api.combined_collapse_factor.value_or(settings.api.edition == ApiEdition::third ? 1.0 : since_fourth);
 }
 
 }  // namespace

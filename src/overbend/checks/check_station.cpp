@@ -9,10 +9,6 @@
 namespace overbend {
 namespace {
 
-double overpressure_at(const Model& model, const Section& section, double z) {
-  return model.water_weight_density * std::max(-z, 0.0) - pressure_on_bore(section, z);
-}
-
 /// Places of a station, of the next below it and of the top [m].
 struct StationPlace {
   double s, below, top;
@@ -28,7 +24,8 @@ CheckStation station_of(const Model& model, const Regions& limits, const Station
   station.leaves = limits.leaves(place.below, place.s);
   station.lands = limits.lands(place.below, place.s);
   station.section = section;
-  station.overpressure = overpressure_at(model, model.sections[station.section], p_W.z());
+  station.external_pressure = model.water_weight_density * std::max(-p_W.z(), 0.0);
+  station.overpressure = station.external_pressure - pressure_on_bore(model.sections[section], p_W.z());
   station.load_pressure = station.bend_pressure = station.overpressure;
   return station;
 }
@@ -49,16 +46,9 @@ std::vector<double> roller_forces(const StaticResults& statics) {
   return forces;
 }
 
-/// Load effects of the static state in the pipe's vertical plane and out of it; what is not the current's is
-/// functional.
-struct StillEffects {
-  Vec3 functional = Vec3::Zero(), current = Vec3::Zero();                ///< Bending moment [N m].
-  Vec3 functional_strain = Vec3::Zero(), current_strain = Vec3::Zero();  ///< Along the moments [-].
-  double tension = 0.0;                                                  ///< The current's [N].
-};
-
-StillEffects still_effects(const Station& at, const Section& section, bool current_apart) {
-  StillEffects e;
+/// Load effects of the static state; what is not of the current is functional.
+FactoredEffects static_effects(const Station& at, const Section& section, bool current_apart) {
+  FactoredEffects e;
   const Vec3 moment(at.vertical_moment, at.lateral_moment, 0.0);
   if (current_apart) {
     e.current = Vec3(at.current_vertical_moment, at.current_lateral_moment, 0.0);
@@ -73,19 +63,23 @@ StillEffects still_effects(const Station& at, const Section& section, bool curre
 }
 
 /// Design load effects of a state that does not move.
-void factor_static(CheckStation& station, const StillEffects& still, const CheckSection& section,
-                   const std::vector<LoadFactors>& combinations) {
+void factor_static(CheckStation& station, const CheckSection& section, const std::vector<LoadFactors>& combinations) {
+  FactoredEffects& effects = station.effects;
   for (const LoadFactors& f : combinations) {
-    const double moment = design_size(f, still.functional, still.current);
-    const double force = design_value(f, station.force, still.tension);
-    const double strain = design_size(f, still.functional_strain, still.current_strain);
+    const double moment = design_size(f, effects.functional, effects.current);
+    const double force = design_value(f, station.force, effects.tension);
+    const double strain = section.strain_factor * design_size(f, effects.functional_strain, effects.current_strain);
     station.largest_force = std::max(station.largest_force, std::abs(force));
-    station.design_strain = std::max(station.design_strain, section.strain_factor * strain);
+    if (strain >= station.design_strain) {
+      station.design_strain = strain;
+      effects.strain_factors = f;
+    }
     const double used = load_terms(section.load, moment, force, station.overpressure, 0.0, station.share).utilisation();
     if (used >= station.load.value) {
       station.load.value = used;
       station.design_moment = moment;
       station.design_force = force;
+      effects.load_factors = f;
     }
   }
   if (station.region == CheckRegion::overbend && section.strain.holds) {
@@ -99,13 +93,6 @@ constexpr double kBeside = 1e-6;  ///< Of a node where two sections meet [m].
 /// station lies. The stresses of one must not be held against the limits of the other.
 std::size_t section_at_rest(const Model& model, double from_top) {
   return static_cast<std::size_t>(model.section_at(std::max(0.0, from_top - kBeside)));
-}
-
-/// Section that the stresses of a node of a run are told of.
-std::size_t section_of_node(const Model& model, double from_top) {
-  const std::size_t upper = static_cast<std::size_t>(model.section_at(std::max(0.0, from_top - kBeside)));
-  const std::size_t lower = static_cast<std::size_t>(model.section_at(from_top + kBeside));
-  return lower_is_told(model.sections[lower], model.sections[upper]) ? lower : upper;
 }
 
 /// Whether the current's part of the static state counts as environmental load effect.
@@ -125,6 +112,12 @@ std::pair<double, double> functional_at(const StaticResults& statics, double s) 
 
 }  // namespace
 
+std::size_t section_of_node(const Model& model, double from_top) {
+  const std::size_t upper = static_cast<std::size_t>(model.section_at(std::max(0.0, from_top - kBeside)));
+  const std::size_t lower = static_cast<std::size_t>(model.section_at(from_top + kBeside));
+  return lower_is_told(model.sections[lower], model.sections[upper]) ? lower : upper;
+}
+
 CheckStations static_stations(const Model& model, const StaticResults& statics) {
   CheckStations out;
   out.current_separate = current_apart(model, statics);
@@ -139,16 +132,19 @@ CheckStations static_stations(const Model& model, const StaticResults& statics) 
     CheckStation station = station_of(model, limits, place, at.p_W, section_at_rest(model, place.top - at.s));
     const CheckSection& section = out.section_of(station);
     if (section.cable) continue;
-    const StillEffects still = still_effects(at, model.sections[station.section], out.current_separate);
-    station.moment = still.functional.norm();
-    station.force = at.effective_tension - still.tension;
+    station.effects = static_effects(at, model.sections[station.section], out.current_separate);
+    station.moment = station.effects.functional.norm();
+    station.force = at.effective_tension - station.effects.tension;
     station.strain = at.strain;
     station.von_mises = at.von_mises;
     station.largest_von_mises.value = at.von_mises;
     station.largest_strain.value = at.strain;
     station.largest_tension.value = at.effective_tension;
-    if (model.description.checks.point_load) station.share = point_load_factor(section.wall, section.fy, rollers[i]);
-    factor_static(station, still, section, combinations);
+    if (model.description.checks.point_load) {
+      station.roller_force = rollers[i];
+      station.share = point_load_factor(section.wall, section.fy, station.roller_force);
+    }
+    factor_static(station, section, combinations);
     out.stations.push_back(station);
   }
   return out;

@@ -57,11 +57,13 @@ LoadTerms load_terms(const LoadCapacity& capacity, double moment, double force, 
     return terms;
   }
   const double ratio = (internal - external) / capacity.burst;
-  const double alpha_p =
-      ratio < 2.0 / 3.0 ? 1.0 - capacity.beta : 1.0 - 3.0 * capacity.beta * std::max(0.0, 1.0 - ratio);
-  const double share = alpha_p * ratio / capacity.alpha_c;
+  const double share = burst_share_factor(capacity.beta, ratio) * ratio / capacity.alpha_c;
   terms.pressure = share * share;
   return terms;
+}
+
+double burst_share_factor(double beta, double ratio) {
+  return ratio < 2.0 / 3.0 ? 1.0 - beta : 1.0 - 3.0 * beta * std::max(0.0, 1.0 - ratio);
 }
 
 double load_reserve(const LoadTerms& terms) {

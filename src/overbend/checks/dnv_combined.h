@@ -1,7 +1,7 @@
 /// Local buckling under combined loading, DNV-ST-F101 (edition 2021) sec. 5.4.6: load controlled (LCC).
 ///
-/// Recalled from the standard (the format has been in use since DNV-OS-F101 2007), not compared with its printed pages.
-/// SI units.
+/// The format has been in use since DNV-OS-F101 2007. Compared with one public restatement of that (S_p and M_p with
+/// two), the reduction by a point load with none: docs/theory/checks.md. SI units.
 #pragma once
 
 #include "checks/dnv_pressure.h"
@@ -55,6 +55,9 @@ struct LoadTerms {
 /// [Pa]. `plastic_share` is alpha_pm. External overpressure: eq. for p_e >= p_i; internal overpressure: the other one.
 LoadTerms load_terms(const LoadCapacity& capacity, double moment, double force, double external, double internal,
                      double plastic_share = 1.0);
+
+/// alpha_p [-] for `ratio` = (p_i - p_e)/p_b: 1 - beta below 2/3, then to 1 at the burst pressure.
+double burst_share_factor(double beta, double ratio);
 
 /// Factor lambda on moment and force that makes the utilisation 1 [-]; 0 where pressure alone passes it; at most
 /// kLargestReserve.

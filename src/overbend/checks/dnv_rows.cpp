@@ -2,6 +2,7 @@
 
 #include "checks/check_row.h"
 #include "checks/check_rows.h"
+#include "checks/dnv_sheet.h"
 
 namespace overbend {
 namespace {
@@ -28,10 +29,13 @@ CheckRow pressure_row(const CheckTitle& title, const CheckStations& all, Capacit
   return row;
 }
 
+const CheckStation& find_station(const CheckStations& all, const CheckRow& row) {
+  return *std::find_if(all.stations.begin(), all.stations.end(),
+                       [&](const CheckStation& station) { return station.s == row.s; });
+}
+
 const CheckSection& section_at(const CheckStations& all, const CheckRow& row) {
-  const auto at = std::find_if(all.stations.begin(), all.stations.end(),
-                               [&](const CheckStation& station) { return station.s == row.s; });
-  return all.section_of(*at);
+  return all.section_of(find_station(all, row));
 }
 
 CheckRow collapse_row(const CheckStations& all, const CheckSettings& settings) {
@@ -43,16 +47,18 @@ CheckRow collapse_row(const CheckStations& all, const CheckSettings& settings) {
                 {"alpha_fab", "fabrication factor", section.alpha_fab, "1"},
                 {"O_0", "ovality", settings.ovality, "1"},
                 {"gamma_m gamma_SC", "resistance factors", section.factor, "1"}};
+  row.sheet = dnv_collapse_sheet(all, find_station(all, row), settings, row.utilisation);
   return row;
 }
 
-CheckRow propagation_row(const CheckStations& all) {
+CheckRow propagation_row(const CheckStations& all, const CheckSettings& settings) {
   CheckRow row = pressure_row(kPropagation, all, [](const CheckSection& s) { return s.propagation / s.factor; });
   const CheckSection& section = section_at(all, row);
   row.governing = false;
   row.inputs = {{"p_pr(t2)", "propagation pressure", section.propagation, "Pa"},
                 {"t2", "wall", section.wall.thickness, "m"},
                 {"gamma_m gamma_SC", "resistance factors", section.factor, "1"}};
+  row.sheet = dnv_propagation_sheet(all, find_station(all, row), settings, row.utilisation);
   const auto beyond = [](const CheckSection& s) {
     return s.wall.slenderness() <= 15.0 || s.wall.slenderness() >= 45.0;
   };
@@ -64,7 +70,8 @@ CheckRow propagation_row(const CheckStations& all) {
   return row;
 }
 
-CheckRow crossover_row(const CheckStations& all, const ArrestorSettings& arrestor) {
+CheckRow crossover_row(const CheckStations& all, const CheckSettings& settings) {
+  const ArrestorSettings& arrestor = *settings.arrestor;
   const auto pressure = [&](const CheckSection& s) {
     return crossover_pressure(s.wall, s.propagation, arrestor.propagation_pressure, arrestor.length);
   };
@@ -72,6 +79,7 @@ CheckRow crossover_row(const CheckStations& all, const ArrestorSettings& arresto
   row.inputs = {{"p_X", "cross-over pressure", pressure(section_at(all, row)), "Pa"},
                 {"p_BA", "propagation pressure of the arrestor", arrestor.propagation_pressure, "Pa"},
                 {"L_BA", "length of the arrestor", arrestor.length, "m"}};
+  row.sheet = dnv_crossover_sheet(all, find_station(all, row), settings, row.utilisation);
   return row;
 }
 
@@ -102,7 +110,7 @@ std::string why_load_does_not_hold(const CheckSection& section) {
   return section.load.slender_enough ? "valid for an effective force below 0.4 S_p" : "valid for 15 <= D/t2 <= 45";
 }
 
-CheckRow load_row(const CheckStations& all, CheckRegion region) {
+CheckRow load_row(const CheckStations& all, CheckRegion region, const CheckSettings& settings) {
   CheckRow row = row_of(kLoad, region);
   row.governing = region != CheckRegion::overbend;
   const CheckStation* at = most_used(all, region, [](const CheckStation& station) { return station.load.value; });
@@ -120,6 +128,7 @@ CheckRow load_row(const CheckStations& all, CheckRegion region) {
                  section.load.moment_factor;
   row.utilisation = terms.utilisation();
   row.reserve = load_reserve(terms);
+  row.sheet = dnv_load_sheet(all, *at, settings, terms);
   judge(row);
   if (!row.governing) row.remark = "the pipe conforms to the supports, the strain governs";
   if (const CheckStation* beyond = where_load_does_not_hold(all, region)) {
@@ -130,7 +139,7 @@ CheckRow load_row(const CheckStations& all, CheckRegion region) {
 
 constexpr const char* kBendHolds = "valid for D/t2 < 45";
 
-CheckRow bend_row(const CheckStations& all) {
+CheckRow bend_row(const CheckStations& all, const CheckSettings& settings) {
   CheckRow row = row_of(kBend, CheckRegion::overbend);
   const CheckStation* at =
       most_used(all, CheckRegion::overbend, [](const CheckStation& station) { return station.bend.value; });
@@ -152,6 +161,7 @@ CheckRow bend_row(const CheckStations& all) {
   row.demand = at->design_strain;
   row.utilisation = terms.utilisation();
   row.reserve = terms.reserve();
+  row.sheet = dnv_strain_sheet(all, *at, settings, terms);
   row.capacity =
       raised * std::pow(std::max(0.0, 1.0 - terms.pressure), 1.0 / terms.exponent) / section.strain.strain_factor;
   judge(row);
@@ -164,12 +174,12 @@ CheckRow bend_row(const CheckStations& all) {
 }  // namespace
 
 std::vector<CheckRow> dnv_rows(const CheckStations& all, const CheckSettings& settings) {
-  std::vector<CheckRow> rows = {collapse_row(all, settings), propagation_row(all)};
-  if (settings.arrestor) rows.push_back(crossover_row(all, *settings.arrestor));
+  std::vector<CheckRow> rows = {collapse_row(all, settings), propagation_row(all, settings)};
+  if (settings.arrestor) rows.push_back(crossover_row(all, settings));
   for (const CheckRegion region : kPipeRegions) {
     if (most_used(all, region, [](const CheckStation&) { return 0.0; }) == nullptr) continue;
-    if (region == CheckRegion::overbend) rows.push_back(bend_row(all));
-    rows.push_back(load_row(all, region));
+    if (region == CheckRegion::overbend) rows.push_back(bend_row(all, settings));
+    rows.push_back(load_row(all, region, settings));
   }
   return rows;
 }

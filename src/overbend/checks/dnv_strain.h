@@ -1,6 +1,7 @@
 /// Local buckling under combined loading, DNV-ST-F101 (edition 2021) sec. 5.4.6: displacement controlled (DCC).
 ///
-/// Recalled from the standard, not compared with its printed pages. SI units, strains as numbers (0.002 = 0.2 %).
+/// Compared with one public restatement, the girth weld factor with none: docs/theory/checks.md. SI units, strains as
+/// numbers (0.002 = 0.2 %).
 #pragma once
 
 #include "checks/dnv_pressure.h"

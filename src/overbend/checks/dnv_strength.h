@@ -1,8 +1,8 @@
 /// Strength and safety factors of DNV-ST-F101 (edition 2021), for the installation phase: no corrosion allowance, so
 /// that t2 is the nominal wall and t1 the nominal wall less the fabrication tolerance.
 ///
-/// Sources: the numbers of tables 5.1 to 5.4 were read in a public implementation that cites the tables; the standard's
-/// own pages have not been compared.
+/// The numbers of tables 5.1 to 5.4 are those of two public restatements, the factor on strain that of one
+/// (docs/theory/checks.md); the standard's own pages have not been compared.
 #pragma once
 
 #include "model/check_settings.h"

@@ -5,7 +5,8 @@
 
 namespace overbend {
 
-inline constexpr const char* kFatigueCode = "DNV-RP-C203 (2016)";
+/// "DNV-RP-C203 (2016)"
+const char* fatigue_code(FatigueEdition edition);
 
 /// Two straight lines in log S and log N; stress ranges of hot spots [Pa].
 struct SnCurve {
@@ -20,8 +21,9 @@ struct SnCurve {
   double range_of(double damage) const;
 };
 
-/// Tables 2-1, 2-2 and 2-4: log N = log a - m log S.
-SnCurve sn_curve(FatigueCurve curve, FatigueMedium medium);
+/// Tables 2-1, 2-2 and 2-4: log N = log a - m log S. In the edition of 2024 C, C1 and C2 have another slope in air and
+/// in protected seawater, B1 and B2 other constants in protected seawater; the rest is that of 2016.
+SnCurve sn_curve(FatigueCurve curve, FatigueMedium medium, FatigueEdition edition = FatigueEdition::year_2016);
 
 /// (t/25 mm)^k by which stress ranges grow with the wall; 1 for walls thinner than the reference, DNV-RP-C203 2.4.
 /// `thickness` [m].

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include "checks/calculation_sheet.h"
 #include "checks/check_row.h"
 #include "checks/check_rows.h"
+#include "checks/dnv_section_lines.h"
 
 namespace overbend {
 namespace {
@@ -40,9 +42,23 @@ void judge_strain(CheckRow& row, const CheckStations& all, double LayingLimits::
                 {"SMYS", "specified minimum yield stress", section.smys, "Pa"}};
 }
 
+/// Limit of the table and utilisation, for a demand of the formula `demand`.
+std::vector<SheetLine> strain_sheet(CalculationSheet sheet, const CheckRow& row, const char* demand) {
+  sheet.computed(
+      {"eps_lim", "allowed strain of the grade", "", "1", "sec. 13, " + row.remark, Confirmation::unconfirmed},
+      row.capacity);
+  sheet.computed({"U", "utilisation", std::string(demand) + "/eps_lim", "1", kSection13, Confirmation::unconfirmed},
+                 row.utilisation);
+  return sheet.lines;
+}
+
 CheckRow static_strain_row(const CheckStations& all) {
   CheckRow row = row_of(kStaticStrain, CheckRegion::overbend);
   judge_strain(row, all, &LayingLimits::static_strain, [](const CheckStation& at) { return at.strain; });
+  if (!row.judged()) return row;
+  CalculationSheet sheet;
+  sheet.given("eps", "largest longitudinal strain", row.demand, "1", "static state");
+  row.sheet = strain_sheet(std::move(sheet), row, "eps");
   return row;
 }
 
@@ -57,12 +73,40 @@ CheckRow combined_strain_row(const CheckStations& all) {
   const CheckStation& at = *std::find_if(all.stations.begin(), all.stations.end(), same);
   time_row(row, at.largest_strain.time);
   row.inputs.push_back({"SNCF", "strain factor of field joints", all.section_of(at).strain_factor, "1"});
+  if (!row.judged()) return row;
+  CalculationSheet sheet;
+  sheet.given("eps", "largest longitudinal strain of the run", at.largest_strain.value, "1", "run");
+  sheet.given("SNCF", "strain factor of field joints", all.section_of(at).strain_factor, "1",
+              "pipe.joint.strain_factor");
+  row.sheet = strain_sheet(std::move(sheet), row, "SNCF eps");
   return row;
 }
 
-/// The largest von Mises stress over a region against a limit that the section gives.
-template <class Limit>
-CheckRow stress_row(const CheckTitle& title, const CheckStations& all, CheckRegion region, Limit limit) {
+/// Share of f_y or SMYS, by the basis of the limit.
+void add_stress_limit(CalculationSheet& sheet, const CheckSection& section, const CheckSettings& settings) {
+  const bool fy = settings.yield_basis == YieldBasis::fy;
+  if (fy) {
+    add_yield_strength(sheet, section, settings);
+  } else {
+    sheet.given("SMYS", "specified minimum yield stress, f_y here (checks.yield_basis)", section.smys, "Pa",
+                "steel.yield_stress");
+  }
+  sheet.computed({"sigma_lim", "allowed equivalent stress", fy ? "0.87 f_y" : "0.87 SMYS", "Pa", kSection13,
+                  Confirmation::unconfirmed},
+                 section.stress_limit);
+}
+
+void add_share_limit(CalculationSheet& sheet, const CheckSection& section, double share) {
+  sheet.given("SMYS", "specified minimum yield stress", section.smys, "Pa", "steel.yield_stress");
+  sheet.given("k", "allowed fraction of SMYS", share, "1", "checks.yield_share");
+  sheet.computed({"sigma_lim", "allowed von Mises stress", "k SMYS", "Pa", "project limit"}, share * section.smys);
+}
+
+/// The largest von Mises stress over a region against a limit that the section gives; `add_limit` puts the lines that
+/// lead to it on the sheet.
+template <class Limit, class AddLimit>
+CheckRow stress_row(const CheckTitle& title, const CheckStations& all, CheckRegion region, Limit limit,
+                    AddLimit add_limit) {
   CheckRow row = row_of(title, region);
   const CheckStation* at = most_used(all, region, [&](const CheckStation& station) {
     return station.largest_von_mises.value / limit(all.section_of(station));
@@ -72,6 +116,11 @@ CheckRow stress_row(const CheckTitle& title, const CheckStations& all, CheckRegi
   judge_ratio(row, at->largest_von_mises.value, limit(all.section_of(*at)));
   row.inputs = {{"sigma_eq", "von Mises stress", row.demand, "Pa"},
                 {"SMYS", "specified minimum yield stress", all.section_of(*at).smys, "Pa"}};
+  CalculationSheet sheet;
+  sheet.given("sigma_eq", "von Mises stress, load factors 1", row.demand, "Pa", all.in_time ? "run" : "static state");
+  add_limit(sheet, all.section_of(*at));
+  sheet.computed({"U", "utilisation", "sigma_eq/sigma_lim", "1", title.clause}, row.utilisation);
+  row.sheet = std::move(sheet.lines);
   return row;
 }
 
@@ -85,7 +134,9 @@ constexpr CheckTitle kShare = {"yield_share", "Fraction of yield stress", "proje
 void add_share(std::vector<CheckRow>& rows, const CheckStations& all, CheckRegion region,
                const std::optional<double>& share) {
   if (!share || !has(all, region)) return;
-  rows.push_back(stress_row(kShare, all, region, [&](const CheckSection& s) { return *share * s.smys; }));
+  rows.push_back(stress_row(
+      kShare, all, region, [&](const CheckSection& s) { return *share * s.smys; },
+      [&](CalculationSheet& sheet, const CheckSection& s) { add_share_limit(sheet, s, *share); }));
   rows.back().remark = fmt::format("limit {:.4g} % of SMYS{}", 100.0 * *share, all.in_time ? ", dynamic" : ", static");
 }
 
@@ -119,7 +170,9 @@ std::vector<CheckRow> laying_rows(const CheckStations& all, const CheckSettings&
   }
   for (const CheckRegion region : {CheckRegion::tower, CheckRegion::tip, CheckRegion::sagbend, CheckRegion::seabed}) {
     if (settings.codes == CheckCodes::api || !has(all, region)) continue;
-    rows.push_back(stress_row(kStress, all, region, [](const CheckSection& s) { return s.stress_limit; }));
+    rows.push_back(stress_row(
+        kStress, all, region, [](const CheckSection& s) { return s.stress_limit; },
+        [&](CalculationSheet& sheet, const CheckSection& s) { add_stress_limit(sheet, s, settings); }));
   }
   const CheckStations rest = at_rest(all);
   add_upper_share(rows, rest, share.overbend_static);

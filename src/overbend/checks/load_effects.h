@@ -1,5 +1,6 @@
 /// Design load effects of DNV-ST-F101 sec. 4: functional parts are the static state, environmental parts what is added
-/// in time. Recalled (table 4-4), not compared with the printed standard.
+/// in time. Table 4-4, compared with one public restatement; the factor of a favourable
+/// environmental load effect with none (docs/theory/checks.md).
 #pragma once
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/constants.h"
+#include "checks/calculation_sheet.h"
 #include "checks/check_assumptions.h"
 #include "checks/check_rows.h"
 #include "checks/mooring_rows.h"
@@ -81,7 +82,10 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
       if (row->in_time || row - table.rows.begin() >= pipe_rows) say_duration(*row, dynamics->duration);
     }
   }
-  if (dynamics != nullptr) append(table.rows, fatigue_rows(*dynamics));
+  if (dynamics != nullptr) append(table.rows, fatigue_rows(model, *dynamics));
+  for (CheckRow& row : table.rows) {
+    if (row.judged() && row.sheet.empty()) row.sheet = ratio_sheet(row);
+  }
   table.along = utilisations_along(all, settings);
   table.assumptions = check_assumptions(all, settings);
   return table;

@@ -25,7 +25,7 @@ struct LayingLimits {
 };
 
 /// The row of the nearest lower or equal grade for this SMYS; none below X52. Nothing is interpolated. DNV-ST-F101 sec.
-/// 13 "simplified laying criteria", recalled.
+/// 13 "simplified laying criteria", recalled: no public restatement was found.
 std::optional<LayingLimits> laying_limits(double yield_stress);
 
 /// The row of a grade by name ("X65"); none where the table has no such row.

@@ -23,9 +23,10 @@ struct ArrestorSettings {
 /// API RP 1111.
 struct ApiSettings {
   ApiEdition edition = ApiEdition::fifth;
-  std::optional<double> collapse_factor;  ///< f_o; from the manufacture where not given [-].
-  double bending_factor = 3.33;           ///< f_1 on the strain of installation [-].
-  std::optional<double> ovality;          ///< delta = (D_max - D_min)/(D_max + D_min); half of O_0 where not given [-].
+  std::optional<double> collapse_factor;           ///< f_o; from the manufacture where not given [-].
+  double bending_factor = 3.33;                    ///< f_1 on the strain of installation [-].
+  std::optional<double> combined_collapse_factor;  ///< f_c; from the edition where not given [-].
+  std::optional<double> ovality;  ///< delta = (D_max - D_min)/(D_max + D_min); half of O_0 where not given [-].
 };
 
 /// Allowed von Mises stress over SMYS, where a project still works so; none is checked that is not given [-].

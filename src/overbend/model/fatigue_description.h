@@ -10,6 +10,9 @@ namespace overbend {
 /// Of DNV-RP-C203: B1, B2, C, C1, C2, D, E, F, F1, F3, G, W1, W2, W3.
 enum class FatigueCurve { b1, b2, c, c1, c2, d, e, f, f1, f3, g, w1, w2, w3 };
 
+/// Of DNV-RP-C203: April 2016 and October 2024.
+enum class FatigueEdition { year_2016, year_2024 };
+
 enum class FatigueMedium { air, seawater_protected, seawater_free };
 
 /// A place of the weld that is looked at, with its curve.
@@ -22,6 +25,7 @@ struct FatigueSpotDescription {
 };
 
 struct FatigueDescription {
+  FatigueEdition edition = FatigueEdition::year_2016;  ///< Of the S-N curves.
   std::vector<FatigueSpotDescription> spots;
   double hi_lo = 0.0;               ///< Misalignment of the walls at the weld [m].
   std::optional<double> thickness;  ///< For the thickness effect [m]; the wall's where not given.

@@ -18,6 +18,12 @@ inline constexpr std::array kWords<FatigueCurve> = {
 };
 
 template <>
+inline constexpr std::array kWords<FatigueEdition> = {
+    Word{FatigueEdition::year_2016, "2016"},
+    Word{FatigueEdition::year_2024, "2024"},
+};
+
+template <>
 inline constexpr std::array kWords<FatigueMedium> = {
     Word{FatigueMedium::air, "air"},
     Word{FatigueMedium::seawater_protected, "seawater_protected"},

@@ -78,7 +78,8 @@ std::vector<Field> strength() {
 std::vector<Field> options() {
   return {
       number("checks.condition_factor", defaults(&CheckSettings::condition_factor),
-             "gamma_C on functional load effects: 1 in water, 1.07 on an uneven seabed, 0.82 in reeling.",
+             "gamma_C on functional load effects: 1 in water, 1.07 on an uneven seabed, 0.93 in a system test, 0.82 in "
+             "reeling on and J-tube pull-in only.",
              {.low = 0.5, .high = 1.5}),
       {.path = "checks.system_effects",
        .member = defaults(&CheckSettings::system_effects),
@@ -125,6 +126,9 @@ std::vector<Field> options() {
                "multiplied by f_o/g(delta)."},
       open_number("checks.api.collapse_factor", fills(&ApiSettings::collapse_factor), "Collapse factor f_o.",
                   "0.6 for uoe and uo, otherwise 0.7", {.low = 0.1, .high = 1.0}),
+      open_number("checks.api.combined_collapse_factor", fills(&ApiSettings::combined_collapse_factor),
+                  "Collapse factor f_c for bending with external pressure; up to 1 for installation.",
+                  "f_o/g(delta), at most 1; 1 in the third edition", {.low = 0.1, .high = 1.0}),
       number("checks.api.bending_factor", defaults(&ApiSettings::bending_factor),
              "Factor f_1 on the installation bending strain.", {.low = 1.0, .high = 10.0}),
       open_number("checks.api.ovality", fills(&ApiSettings::ovality),

@@ -56,25 +56,30 @@ std::vector<Field> fatigue() {
                 "is enough."),
       "not counted")};
   append(rows, spots());
-  append(rows, {quantity_row("fatigue.hi_lo", defaults(&FatigueDescription::hi_lo),
-                             "Misalignment of the walls at a weld, for the stress factor.", kSmallLength,
-                             {.low = 0.0, .high = 0.05}),
-                otherwise(quantity_row("fatigue.thickness", fills(&FatigueDescription::thickness),
-                                       "Wall thickness for the thickness effect of the S-N curves.", kSmallLength,
-                                       {.low = 0.0, .high = 1.0, .low_open = true}),
-                          "the wall's"),
-                quantity_row("fatigue.weld_time", with_default(fills(&FatigueDescription::weld_time), kWeldTime),
-                             "How long the pipe rests before each move.", kTime, kNotNegative),
-                quantity_row("fatigue.move_time", with_default(fills(&FatigueDescription::move_time), kMoveTime),
-                             "How long a move takes.", kTime, kNotNegative),
-                otherwise(quantity_row("fatigue.joint", fills(&FatigueDescription::joint), "Length of a move.", kLength,
-                                       {.low = 0.1, .high = 1000.0}),
-                          "length of the pipe's joints, 12.2 m where it has none"),
-                row_of_kind(FieldKind::number, "fatigue.budget", defaults(&FatigueDescription::budget),
-                            "Damage that laying may use up, with the design fatigue factor.",
-                            {.low = 0.0, .high = 1.0, .low_open = true}),
-                row_of_kind(FieldKind::number, "fatigue.design_factor", defaults(&FatigueDescription::design_factor),
-                            "Design fatigue factor, by which damage is multiplied.", {.low = 1.0, .high = 100.0})});
+  append(rows,
+         {row_of_kind(FieldKind::choice, "fatigue.edition", defaults(&FatigueDescription::edition),
+                      "Edition of DNV-RP-C203 whose S-N curves count: April 2016 or October 2024. They differ "
+                      "for B1 to C2; C to C2 of 2024 give more damage for ranges above 100 to 125 MPa in air, 240 to "
+                      "300 MPa in protected seawater, and less below."),
+          quantity_row("fatigue.hi_lo", defaults(&FatigueDescription::hi_lo),
+                       "Misalignment of the walls at a weld, for the stress factor.", kSmallLength,
+                       {.low = 0.0, .high = 0.05}),
+          otherwise(quantity_row("fatigue.thickness", fills(&FatigueDescription::thickness),
+                                 "Wall thickness for the thickness effect of the S-N curves.", kSmallLength,
+                                 {.low = 0.0, .high = 1.0, .low_open = true}),
+                    "the wall's"),
+          quantity_row("fatigue.weld_time", with_default(fills(&FatigueDescription::weld_time), kWeldTime),
+                       "How long the pipe rests before each move.", kTime, kNotNegative),
+          quantity_row("fatigue.move_time", with_default(fills(&FatigueDescription::move_time), kMoveTime),
+                       "How long a move takes.", kTime, kNotNegative),
+          otherwise(quantity_row("fatigue.joint", fills(&FatigueDescription::joint), "Length of a move.", kLength,
+                                 {.low = 0.1, .high = 1000.0}),
+                    "length of the pipe's joints, 12.2 m where it has none"),
+          row_of_kind(FieldKind::number, "fatigue.budget", defaults(&FatigueDescription::budget),
+                      "Damage that laying may use up, with the design fatigue factor.",
+                      {.low = 0.0, .high = 1.0, .low_open = true}),
+          row_of_kind(FieldKind::number, "fatigue.design_factor", defaults(&FatigueDescription::design_factor),
+                      "Design fatigue factor, by which damage is multiplied.", {.low = 1.0, .high = 100.0})});
   return rows;
 }
 

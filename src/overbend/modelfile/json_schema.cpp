@@ -33,6 +33,15 @@ void add_bounds(const Field& field, Json& schema) {
   if (std::isfinite(range.high)) schema[range.high_open ? "exclusiveMaximum" : "maximum"] = range.high;
 }
 
+/// Words of a choice; one of digits also as the number that YAML takes an unquoted one for.
+Json choices_json(const std::vector<std::string>& choices) {
+  Json words = choices;
+  for (const std::string& word : choices) {
+    if (const std::optional<double> number = parse_number(word)) words.push_back(static_cast<int>(*number));
+  }
+  return words;
+}
+
 Json scalar_schema(const Field& field) {
   Json schema;
   switch (field.kind) {
@@ -55,7 +64,7 @@ Json scalar_schema(const Field& field) {
       if (!field.fallback.empty()) schema["default"] = std::stoll(field.fallback);
       break;
     case FieldKind::choice:
-      schema["enum"] = field.choices;
+      schema["enum"] = choices_json(field.choices);
       if (!field.fallback.empty()) schema["default"] = field.fallback;
       break;
     case FieldKind::text:

@@ -26,20 +26,7 @@ double axial_stress(const Section& section, const NodeValues& nodes, std::size_t
   return wall / section.steel_area;
 }
 
-FatigueMedium medium_of(const FatigueSpotDescription& spot, const Section& section, double z) {
-  if (spot.medium) return *spot.medium;
-  if (spot.inside) {
-    return section.contents_weight_density > 0.0 ? FatigueMedium::seawater_free : FatigueMedium::air;
-  }
-  return z > 0.0 ? FatigueMedium::air : FatigueMedium::seawater_protected;
-}
-
 }  // namespace
-
-std::vector<FatigueSpotDescription> fatigue_spots(const FatigueDescription& fatigue) {
-  if (!fatigue.spots.empty()) return fatigue.spots;
-  return {{"outside", false, FatigueCurve::d, {}, {}}, {"inside", true, FatigueCurve::f1, {}, {}}};
-}
 
 FatigueRecorder::FatigueRecorder(const Model& model, const std::vector<int>& section_of_station, std::size_t first)
     : model_(&model), fatigue_(&*model.description.fatigue), first_(first), spots_(fatigue_spots(*fatigue_)) {
@@ -67,17 +54,12 @@ FatigueRecorder::FatigueRecorder(const Model& model, const std::vector<int>& sec
 
 /// A spot's medium at a station is that of the station's place in the static state.
 void FatigueRecorder::place_spots(const DesignInstant& at) {
-  places_.assign(spots_.size(), std::vector<Place>(stations()));
+  places_.assign(spots_.size(), std::vector<FatiguePlace>(stations()));
   for (std::size_t spot = 0; spot < spots_.size(); ++spot) {
     for (std::size_t i = 0; i < stations(); ++i) {
       const Section* section = stations_[i].section;
       if (section == nullptr) continue;
-      Place& place = places_[spot][i];
-      place.curve = sn_curve(spots_[spot].curve, medium_of(spots_[spot], *section, at.nodes.z[first_ + i]));
-      place.stress_factor = spots_[spot].stress_factor.value_or(
-          hi_lo_factor(fatigue_->hi_lo, section->steel_diameter, section->wall_thickness));
-      place.factor =
-          place.stress_factor * thickness_effect(place.curve, fatigue_->thickness.value_or(section->wall_thickness));
+      places_[spot][i] = fatigue_place(*fatigue_, spots_[spot], *section, at.nodes.z[first_ + i]);
     }
   }
 }
@@ -122,8 +104,8 @@ void FatigueRecorder::count(Sums& sums, std::size_t record, const RainflowCycle&
   sums.cycles[record] += cycle.count;
   for (std::size_t spot = 0; spot < spots_.size(); ++spot) {
     if (surface_of_spot_[spot] != surface) continue;
-    const Place& place = places_[spot][point / kPoints];
-    sums.damage[spot][point] += cycle.count * place.curve.damage(place.factor * cycle.range);
+    const FatiguePlace& place = places_[spot][point / kPoints];
+    sums.damage[spot][point] += cycle.count * place.curve.damage(place.factor() * cycle.range);
   }
 }
 
@@ -141,11 +123,11 @@ FatigueSpot FatigueRecorder::spot_of(std::size_t spot, const Sums& sums) const {
   for (std::size_t i = 0; i < stations(); ++i) {
     const double* of_points = &sums.damage[spot][i * kPoints];
     const std::size_t worst = static_cast<std::size_t>(std::max_element(of_points, of_points + kPoints) - of_points);
-    const Place& place = places_[spot][i];
+    const FatiguePlace& place = places_[spot][i];
     const double cycles = sums.cycles[(surface_of_spot_[spot] * stations() + i) * kPoints + worst];
     out.rate.push_back(of_points[worst] / time_);
     out.cycles.push_back(cycles / time_);
-    out.range.push_back(cycles > 0.0 ? place.curve.range_of(of_points[worst] / cycles) / place.factor : 0.0);
+    out.range.push_back(cycles > 0.0 ? place.curve.range_of(of_points[worst] / cycles) / place.factor() : 0.0);
   }
   const auto worst = std::max_element(out.rate.begin(), out.rate.end());
   out.worst_rate = *worst;

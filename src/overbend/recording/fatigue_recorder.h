@@ -5,15 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "checks/fatigue_curve.h"
+#include "checks/fatigue_place.h"
 #include "numerics/rainflow.h"
 #include "recording/design_recorder.h"
 #include "results/dynamic_results.h"
 
 namespace overbend {
-
-/// Places of the weld that a model looks at: those of the file, or the two that stand for none.
-std::vector<FatigueSpotDescription> fatigue_spots(const FatigueDescription& fatigue);
 
 /// Stress ranges smaller than this do not count [Pa].
 inline constexpr double kLeastStressRange = 0.1e6;
@@ -43,12 +40,6 @@ class FatigueRecorder {
     std::array<double, 2> radius{};    ///< Of the outer and the inner surface [m].
     Vec3 aside = Vec3::UnitY();        ///< Level across the pipe in the static state, W.
   };
-  /// A spot at a station.
-  struct Place {
-    double factor = 1.0;         ///< Of the range, the wall's thickness included.
-    double stress_factor = 1.0;  ///< Without it.
-    SnCurve curve;
-  };
   /// Sums of a point: of damage for each spot, and of cycles.
   struct Sums {
     std::vector<std::vector<double>> damage;  ///< By spot.
@@ -68,8 +59,8 @@ class FatigueRecorder {
   std::vector<std::size_t> surface_of_spot_;  ///< Index among the surfaces in use.
   std::vector<bool> surfaces_;                ///< In use; whether it is the inner one.
   std::vector<Station> stations_;
-  std::vector<std::vector<Place>> places_;  ///< By spot and station.
-  std::vector<double> stress_;              ///< By surface, station and point [Pa].
+  std::vector<std::vector<FatiguePlace>> places_;  ///< By spot and station.
+  std::vector<double> stress_;                     ///< By surface, station and point [Pa].
   RainflowCounter counter_;
   Sums sums_;
   double time_ = 0.0;  ///< Counted so far [s].

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "checks/fatigue_curve.h"
+#include "checks/fatigue_place.h"
 
 namespace overbend {
 namespace {
@@ -29,6 +29,12 @@ bool yields(const Model& model, const DynamicResults& results) {
     if (section.yield_stress > 0.0 && results.von_mises.max[i] > section.yield_stress) return true;
   }
   return false;
+}
+
+/// Whether a place has an S-N curve that is not the same in all editions.
+bool uses_renewed_curve(const FatigueDescription& fatigue) {
+  const std::vector<FatigueSpotDescription> spots = fatigue_spots(fatigue);
+  return std::any_of(spots.begin(), spots.end(), [](const auto& spot) { return spot.curve <= FatigueCurve::c2; });
 }
 
 }  // namespace
@@ -72,7 +78,14 @@ void assume_of_fatigue(const Model& model, DynamicResults& results) {
       "Fatigue: rainflow cycles (ASTM E1049) of the longitudinal stress at eight points round the section, ranges "
       "below {:.2g} MPa left out, with S-N curves of {}; stations keep their place on the pipe in the run, and the "
       "pipe does not turn about its axis. Residual and mean stresses do not count.",
-      0.1, kFatigueCode));
+      0.1, fatigue_code(model.description.fatigue->edition)));
+  if (uses_renewed_curve(*model.description.fatigue)) {
+    say("Fatigue: editions of DNV-RP-C203 differ for the S-N curves B1 to C2 (fatigue.edition). For ranges above 100 "
+        "to "
+        "125 MPa in air and 240 to 300 MPa in protected seawater C, C1 and C2 of 2024 give more damage than those of "
+        "2016, below less. The numbers of 2024 are those of one public source, and for walls of more than 25 mm the "
+        "larger thickness exponent of older editions is taken with them. Count with both and take the larger damage.");
+  }
   if (model.description.fatigue->hi_lo > 0.0) {
     say("Fatigue: the stress factor of misaligned walls is 1 + 3 (e/t) exp(-(D/t)^-0.5) inside and outside "
         "(DNV-RP-C203 2.10), nothing taken off for what the S-N curves hold of it.");

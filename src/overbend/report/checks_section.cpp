@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "report/calculation_sheet.h"
 #include "report/figure_list.h"
 #include "report/html.h"
 #include "report/json_number.h"
@@ -149,7 +150,8 @@ std::string inputs_table(const CheckTable& table) {
 std::string headline(const CheckTable& table) {
   return "<p>" + html::escape(make_verdict(table, {}).because) +
          " The reserve factor is the factor on the load effects, at unchanged pressure, at which the utilisation is 1. "
-         "The formulas have not been compared with the printed standards; see the assumptions.</p>\n";
+         "<a href=\"#calculation-sheet\">" +
+         kBasisOfChecks + "</a></p>\n";
 }
 
 }  // namespace

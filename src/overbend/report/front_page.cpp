@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "report/calculation_sheet.h"
 #include "report/html.h"
 #include "report/places.h"
 #include "report/sections.h"
@@ -105,7 +106,7 @@ std::string utilisation_card(const StaticResults& statics, const CheckTable& che
   const std::vector<Utilisation> lines = line_bars(checks);
   bars.insert(bars.end(), lines.begin(), lines.end());
   return card("Utilisation, governing check of each region", bars,
-              kCapacity + page.reach + " The formulas have not been compared with the printed standards.");
+              kCapacity + page.reach + " " + kBasisOfChecks);
 }
 
 std::string verdict_section(const Verdict& verdict, const std::string& utilisations) {

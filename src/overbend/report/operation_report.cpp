@@ -1,4 +1,5 @@
 #include "report/operation_report.h"
+#include "report/calculation_sheet.h"
 
 #include <algorithm>
 
@@ -82,6 +83,19 @@ FrontPage front_of_operation(const OperationResults& results, const std::optiona
   return front;
 }
 
+/// Rows of all stages in one table, each with the name of its stage.
+CheckTable checks_of_stages(const OperationResults& results) {
+  CheckTable all;
+  for (std::size_t i = 0; i < results.stages.size(); ++i) {
+    if (!results.stages[i].lay) continue;
+    for (CheckRow row : results.stages[i].lay->checks.rows) {
+      row.name += ", stage " + stage_title(results, i);
+      all.rows.push_back(std::move(row));
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string operation_report_html(const OperationResults& results, const std::string& model_text) {
@@ -91,12 +105,12 @@ std::string operation_report_html(const OperationResults& results, const std::st
   const std::string rest = procedure_section(results, description) + stages_section(results, figure) +
                            passage_part(results) + stage_checks_section(results) + gear_section(description) +
                            (lay != nullptr ? inputs_section(*lay, description, nullptr) : "") +
-                           assumptions_section(all_assumptions(results)) + model_text_section(model_text);
+                           assumptions_section(all_assumptions(results)) +
+                           calculation_sheet_section(checks_of_stages(results)) + model_text_section(model_text);
   const FrontPage front = front_of_operation(results, description, lay);
   return operation_page(results.title + " - " + operation_title(results.type),
                         front_page(front, verdict_with_stage(results), operation_bars(results),
-                                   "The mark on the bar is the full capacity. The formulas have not been compared with "
-                                   "the printed standards. ",
+                                   std::string("The mark on the bar is the full capacity. ") + kBasisOfChecks + " ",
                                    rest),
                         stages_data(results, description));
 }

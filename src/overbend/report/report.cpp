@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "report/calculation_sheet.h"
 #include "report/checks_section.h"
 #include "report/dynamic_sections.h"
 #include "report/fatigue_section.h"
@@ -63,12 +64,12 @@ std::string report_html(const StaticResults& results, const std::string& model_t
   const std::string sensitivity =
       extras.sensitivities != nullptr ? sensitivity_section(*extras.sensitivities, figure) : "";
   const std::string moorings = moorings_part(results, figure);
-  const std::string rest = sought + key_results(results, "results", "Key results") +
-                           lay_setting_section(results, description, nullptr) + checks + figures + sensitivity +
-                           static_tables(results) + moorings + hull_part(results) +
-                           inputs_section(results, description, nullptr) + assumptions_section(results.assumptions) +
-                           rollers_section(results) + check_inputs_section(results.checks) + balance_section(results) +
-                           model_text_section(model_text);
+  const std::string rest =
+      sought + key_results(results, "results", "Key results") + lay_setting_section(results, description, nullptr) +
+      checks + figures + sensitivity + static_tables(results) + moorings + hull_part(results) +
+      inputs_section(results, description, nullptr) + assumptions_section(results.assumptions) +
+      rollers_section(results) + calculation_sheet_section(results.checks) + check_inputs_section(results.checks) +
+      balance_section(results) + model_text_section(model_text);
   FrontPage front = front_of("Static pipelay analysis", results.title, description, results.findings);
   front.reach = "Checks of the static state only: the effect of waves needs a dynamic analysis.";
   front.entries = subject_entries(results);
@@ -99,8 +100,8 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
   const std::string closing = inputs_section(statics, description, &results) +
                               assumptions_section(together(statics.assumptions, results.assumptions)) +
                               dynamic_rollers_section(results) + rollers_section(statics) +
-                              check_inputs_section(results.checks) + dynamic_run_section(results) +
-                              balance_section(statics) + model_text_section(model_text);
+                              calculation_sheet_section(results.checks) + check_inputs_section(results.checks) +
+                              dynamic_run_section(results) + balance_section(statics) + model_text_section(model_text);
   const std::string rest = dynamic + before + closing;
   FrontPage front = front_of("Dynamic pipelay analysis", statics.title, description, all_findings(statics, results));
   front.reach = "Maxima of a single run of " + duration_words(results.duration) + ".";

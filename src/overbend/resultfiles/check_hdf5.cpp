@@ -46,6 +46,29 @@ void write_inputs(DatasetSink& file, const std::string& group, const std::vector
   inputs.write(file, group, "Input values of the checks");
 }
 
+void write_sheets(DatasetSink& file, const std::string& group, const std::vector<CheckRow>& rows) {
+  TableWriter lines;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const SheetLine& line : rows[i].sheet) {
+      lines(index_field("Number of the line of this table, from 0"), lines.rows());
+      lines(ResultField{"check", "1", "Index of its check in the table of checks"}, static_cast<int>(i));
+      visit_sheet_line(line, lines);
+      lines.end_row();
+    }
+  }
+  lines.write(file, group, "Calculation sheets of the checks: inputs and formulas in order, the utilisation last");
+}
+
+void read_sheets(const Hdf5Reader& file, const std::string& group, const std::vector<CheckRow*>& rows) {
+  TableReader lines(file, group);
+  for (std::size_t i = 0, count = lines.rows("index"); i < count; ++i) {
+    lines.start_row(i);
+    int check = -1;
+    lines(ResultField{"check"}, check);
+    visit_sheet_line(owner(rows, check, "line of a calculation sheet").sheet.emplace_back(), lines);
+  }
+}
+
 }  // namespace
 
 void write_checks(DatasetSink& file, const std::string& group, const CheckTable& table) {
@@ -61,6 +84,7 @@ void write_checks(DatasetSink& file, const std::string& group, const CheckTable&
   }
   rows.write(file, group + "/list", "Each check at the station and time of its maximum utilisation");
   write_inputs(file, group + "/inputs", table.rows);
+  write_sheets(file, group + "/sheet", table.rows);
   file.group(group + "/along", "Utilisations along the pipe");
   const ColumnsWriter columns{file, group + "/along", group + "/along/s"};
   visit_check_along(table.along, columns);
@@ -85,6 +109,7 @@ CheckTable read_checks(const Hdf5Reader& file, const std::string& group) {
     inputs(ResultField{"check"}, check);
     visit_check_input(owner(owners, check, "check's input").inputs.emplace_back(), inputs);
   }
+  read_sheets(file, group + "/sheet", owners);
   const ColumnsReader columns{file, group + "/along"};
   visit_check_along(table.along, columns);
   return table;

@@ -46,6 +46,18 @@ struct CheckCells {
   }
 };
 
+/// Lines of a calculation sheet: values in SI, so that the formulas can be evaluated as they stand.
+struct SheetCells {
+  CsvTable& table;
+
+  void operator()(const ResultField&, double value) { table.cell(value); }
+  void operator()(const ResultField&, const std::string& value) { table.cell(value); }
+  template <HasResultWords Enum>
+  void operator()(const ResultField&, Enum value) {
+    table.cell(std::string(word(value)));
+  }
+};
+
 std::vector<std::string> checks_head() {
   CsvHead head;
   const CheckRow example{};
@@ -64,6 +76,27 @@ ShownUnit check_unit(const CheckInput& input) {
   if (input.units == "m") return {"m", "mm", 1e3, 1};  // the lengths of a section
   const bool factor = input.meaning.find("factor") != std::string::npos;
   return shown_unit(factor ? "" : input.meaning, input.units);
+}
+
+std::string calculation_sheet_table(const CheckTable& table) {
+  CsvHead head;
+  head.names = {"check", "code", "clause", "region", "s [m]"};
+  const SheetLine example{};
+  visit_sheet_line(example, head);
+  CsvTable csv(head.names);
+  for (const CheckRow& row : table.rows) {
+    for (const SheetLine& line : row.sheet) {
+      csv.cell(row.name);
+      csv.cell(row.code);
+      csv.cell(row.clause);
+      csv.cell(std::string(word(row.region)));
+      csv.cell(row.s);
+      SheetCells cells{csv};
+      visit_sheet_line(line, cells);
+      csv.end_row();
+    }
+  }
+  return csv.text();
 }
 
 std::string checks_table(const CheckTable& table) {

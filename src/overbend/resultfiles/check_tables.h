@@ -17,4 +17,7 @@ ShownUnit check_unit(const CheckInput& input);
 /// The text of checks.csv: a row per check, the units of the other tables beside demand and capacity.
 std::string checks_table(const CheckTable& table);
 
+/// The text of calculation_sheet.csv: a row per line of the calculation sheets, values in SI units.
+std::string calculation_sheet_table(const CheckTable& table);
+
 }  // namespace overbend

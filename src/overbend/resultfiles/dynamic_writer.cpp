@@ -28,6 +28,7 @@ void write_pipe_tables(const StaticResults& statics, const DynamicResults& dynam
   if (statics.moorings) write_text(folder / "moorings.csv", moorings_table(*statics.moorings, dynamics.moorings));
   if (dynamics.fatigue) write_text(folder / "fatigue.csv", fatigue_table(dynamics));
   write_text(folder / "checks.csv", checks_table(dynamics.checks));
+  write_text(folder / "calculation_sheet.csv", calculation_sheet_table(dynamics.checks));
 }
 
 void write_tables(const StaticResults& statics, const DynamicResults& dynamics, const std::filesystem::path& folder) {

@@ -40,6 +40,7 @@ void require_finite(const CheckTable& checks, const std::string& place) {
     FiniteVisitor visit{place + indexed("list", i)};
     visit_check(checks.rows[i], visit);
     for (const CheckInput& input : checks.rows[i].inputs) visit_check_input(input, visit);
+    for (const SheetLine& line : checks.rows[i].sheet) visit_sheet_line(line, visit);
   }
   const FiniteColumns columns{place + "along"};
   visit_check_along(checks.along, columns);

@@ -21,6 +21,7 @@ void write_static_files(const StaticResults& results, const Description& descrip
   write_text(folder / "pipe.csv", pipe_table(results));
   write_text(folder / "supports.csv", supports_table(results));
   write_text(folder / "checks.csv", checks_table(results.checks));
+  write_text(folder / "calculation_sheet.csv", calculation_sheet_table(results.checks));
   if (results.bed) write_text(folder / "spans.csv", span_table(*results.bed));
   if (results.moorings) write_text(folder / "moorings.csv", moorings_table(*results.moorings));
   if (results.moorings && !results.moorings->steps.empty()) {

@@ -58,6 +58,14 @@ void put_check_numbers(const Style& style, const CheckRow& row, JsonWriter<Style
   });
 }
 
+/// The lines of a calculation sheet.
+template <class Style>
+auto summary_sheet(const Style& style, const CheckRow& row) {
+  return style.rows(row.sheet, [&](const SheetLine& line) {
+    return style.named("SheetLine", object_of(style, [&](auto& members) { visit_sheet_line(line, members); }));
+  });
+}
+
 template <class Style>
 auto summary_check(const Style& style, const CheckRow& row) {
   JsonWriter<Style> json(style);
@@ -67,6 +75,7 @@ auto summary_check(const Style& style, const CheckRow& row) {
   json["inputs"] = style.rows(row.inputs, [&](const CheckInput& input) {
     return object_of(style, [&](auto& one) { visit_check_input(input, one); });
   });
+  json["sheet"] = summary_sheet(style, row);
   return style.named("CheckInFull", json.take());
 }
 

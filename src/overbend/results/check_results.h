@@ -33,6 +33,26 @@ struct CheckInput {
   std::string units;  ///< SI
 };
 
+/// How far the formula of a code, or a number that it prints, has been compared with public texts that restate it.
+enum class Confirmation {
+  not_needed,   ///< An input of the analysis, or a definition.
+  two_sources,  ///< Two or more independent public restatements agree.
+  one_source,
+  unconfirmed,  ///< Recalled: no public restatement was found.
+};
+
+/// A line of a calculation sheet: a number that goes in, or a formula in the symbols of the lines before it.
+struct SheetLine {
+  std::string symbol;   ///< "M_p"
+  std::string meaning;  ///< "plastic moment"
+  std::string formula;  ///< "f_y (D - t_2)^2 t_2", or an equation that the value solves; empty for an input.
+  double value = 0.0;   ///< As used by the check.
+  std::string units;    ///< SI
+  std::string origin;   ///< Clause of a formula; key of the model file or analysis that an input comes from.
+  Confirmation confirmation = Confirmation::not_needed;
+  std::string sources;  ///< Public texts that it was compared with.
+};
+
 /// One check at the station and moment where it is used most.
 struct CheckRow {
   CheckRow();  // These six are compiled once: a copy of all members is long, and many sources make one.
@@ -61,6 +81,7 @@ struct CheckRow {
   double time = 0.0;        ///< When, where in_time [s].
   std::string remark;
   std::vector<CheckInput> inputs;
+  std::vector<SheetLine> sheet;  ///< Calculation of the utilisation, which is its last line; empty where none is made.
 
   bool judged() const { return status == CheckStatus::passed || status == CheckStatus::exceeded; }
 };

@@ -116,6 +116,7 @@ auto page_check(const Style& style, const CheckRow& row) {
   visit_check_head(row, json);
   json["remark"] = style.text(row.remark);
   put_check_numbers(style, row, json);
+  json["sheet"] = summary_sheet(summary_keys(style), row);
   return style.named("Check", json.take());
 }
 

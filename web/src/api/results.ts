@@ -219,6 +219,17 @@ export interface LineAtRest {
   tension: number[];
 }
 
+export interface SheetLine {
+  symbol: string;
+  meaning: string;
+  formula: string;
+  value: number;
+  units: string;
+  origin: string;
+  confirmation: 'not needed' | 'two or more sources' | 'one source' | 'unconfirmed';
+  sources: string;
+}
+
 export interface Check {
   id: string;
   name: string;
@@ -235,6 +246,7 @@ export interface Check {
   units?: string;
   at?: { from_top: number; };
   time?: number | null;
+  sheet: SheetLine[];
 }
 
 export interface Finding {
@@ -417,6 +429,7 @@ export interface CheckInFull {
   time?: number | null;
   remark: string;
   inputs: { symbol: string; meaning: string; value: number; units: string; }[];
+  sheet: SheetLine[];
 }
 
 export interface DynamicSummary {

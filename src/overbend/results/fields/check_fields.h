@@ -70,6 +70,28 @@ void visit_check_input(Row& r, Visit& visit) {
   visit(ResultField{"units", "1", "Units of the value"}.summary(), r.units);
 }
 
+template <class Line, class Visit>
+void visit_sheet_line(Line& r, Visit& visit) {
+  visit(ResultField{"symbol", "1", "Symbol of the quantity in the formulas of the sheet"}.csv("symbol").summary(),
+        r.symbol);
+  visit(ResultField{"meaning", "1", "Meaning"}.csv("meaning").summary(), r.meaning);
+  visit(ResultField{"formula", "1", "Formula in the symbols of the lines before it; empty for an input"}
+            .csv("formula")
+            .summary(),
+        r.formula);
+  visit(ResultField{"value", kVaries, "Value used by the check"}.csv("value").summary(), r.value);
+  visit(ResultField{"units", "1", "Units of the value"}.csv("units").summary(), r.units);
+  visit(ResultField{"origin", "1", "Clause of the code, or origin of an input"}.csv("origin").summary(), r.origin);
+  visit(ResultField{"confirmation", "1",
+                    "Public restatements of the formula that agree: two or more sources, one source, unconfirmed; not "
+                    "needed for inputs and definitions"}
+            .csv("confirmation")
+            .summary(),
+        r.confirmation);
+  visit(ResultField{"sources", "1", "Public texts that the formula was compared with"}.csv("sources").summary(),
+        r.sources);
+}
+
 /// Columns along the pipe: visit(field, numbers).
 template <class Along, class Visit>
 void visit_check_along(Along& a, Visit& visit) {

@@ -33,6 +33,14 @@ struct Words<CheckStatus> {
 };
 
 template <>
+struct Words<Confirmation> {
+  static constexpr WordList<Confirmation, 4> list = {{{Confirmation::not_needed, "not needed"},
+                                                      {Confirmation::two_sources, "two or more sources"},
+                                                      {Confirmation::one_source, "one source"},
+                                                      {Confirmation::unconfirmed, "unconfirmed"}}};
+};
+
+template <>
 struct Words<CheckRegion> {
   static constexpr WordList<CheckRegion, 6> list = {{{CheckRegion::line, "line"},
                                                      {CheckRegion::overbend, "overbend"},

@@ -1,0 +1,24 @@
+/// Formulas of calculation sheets as people read them: with symbols, and with the numbers put in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "results/check_results.h"
+
+namespace overbend {
+
+/// A symbol or formula as HTML: Greek letters, indices and powers.
+std::string formula_html(const std::string& formula);
+
+/// Six digits, without an exponent where that is possible.
+std::string six_digits(double value);
+
+/// Value with its unit, as people read it: "448 MPa".
+std::string value_text(const SheetLine& line);
+
+/// A line's formula with the values of the lines before it in place of their symbols, as plain text; empty for an
+/// input.
+std::string numbers_put_in(const std::vector<SheetLine>& lines, std::size_t line);
+
+}  // namespace overbend
