@@ -1,5 +1,5 @@
 // Code checks in the order in which they matter.
-import type { Check } from '../api/types';
+import type { Check, SheetLine } from '../api/types';
 
 const regions = ['tower', 'overbend', 'stinger tip', 'sagbend', 'seabed', 'line'];
 
@@ -23,3 +23,20 @@ export const level = (c: Check): 'over' | 'near' | 'good' | 'open' =>
   (!judged(c) ? 'open' : !c.governing ? 'open' : c.utilisation! > 1 ? 'over' : c.utilisation! > 0.87 ? 'near' : 'good');
 
 export const regionName = (region: string): string => (region === 'line' ? 'whole line' : region);
+
+const shown: Record<string, [string, number]> = { Pa: ['MPa', 1e-6], N: ['kN', 1e-3], 'N m': ['kN m', 1e-3], m: ['mm', 1e3], 1: ['', 1] };
+
+/** Value of a line of a calculation sheet with its unit: "448 MPa". */
+export function sheetValue(line: SheetLine): string {
+  const [unit, factor] = shown[line.units] ?? [line.units, 1];
+  const value = line.value * factor;
+  const text = Number(value.toPrecision(6)).toString();
+  return unit ? `${text} ${unit}` : text;
+}
+
+/** What confirms a formula. */
+export function sheetTitle(line: SheetLine): string {
+  if (line.confirmation === 'not needed') return line.origin;
+  const sources = line.sources ? `: ${line.sources}` : '';
+  return line.confirmation === 'unconfirmed' ? `Recalled, not confirmed by a public text${sources}` : `Confirmed by ${line.confirmation}${sources}`;
+}

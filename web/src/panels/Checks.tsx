@@ -1,11 +1,12 @@
 // Code checks of the live statics, or of the run that is looked at.
-import { governing, level, ranked, regionName } from '../logic/checks';
+import { useState } from 'preact/hooks';
+import { governing, level, ranked, regionName, sheetTitle, sheetValue } from '../logic/checks';
 import { tidy } from '../logic/units';
 import { calm, failure } from '../state/live';
 import { cursor } from '../state/look';
 import { stageLay } from '../state/operation';
 import { runChecks, selected } from '../state/runs';
-import type { Check } from '../api/types';
+import type { Check, SheetLine } from '../api/types';
 
 const used = (c: Check): string => (c.utilisation === undefined ? '–' : tidy(c.utilisation, 3));
 
@@ -21,14 +22,32 @@ function Governing({ check }: { check: Check }) {
   );
 }
 
-function Row({ check }: { check: Check }) {
-  const title = `${check.code} ${check.clause}${check.remark ? `: ${check.remark}` : ''}`;
+/** Formulas with the numbers that the check has used, in SI units. */
+function Sheet({ lines }: { lines: readonly SheetLine[] }) {
   return (
-    <tr class={level(check)} title={title}>
-      <td>{check.name}<small>{regionName(check.region)}, {check.code}</small></td>
-      <td>{used(check)}</td>
-      <td>{check.governing ? check.status : 'information'}</td>
-    </tr>
+    <table class="sheet"><tbody>{lines.map((line) => (
+      <tr key={line.symbol} class={line.confirmation === 'unconfirmed' ? 'open' : ''} title={sheetTitle(line)}>
+        <td>{line.symbol}<small>{line.meaning}</small></td>
+        <td>{line.formula}<small>{line.origin}</small></td>
+        <td>{sheetValue(line)}</td>
+      </tr>
+    ))}</tbody></table>
+  );
+}
+
+function Row({ check }: { check: Check }) {
+  const [open, setOpen] = useState(false);
+  const title = `${check.code} ${check.clause}${check.remark ? `: ${check.remark}` : ''}`;
+  const there = check.sheet.length > 0;
+  return (
+    <>
+      <tr class={level(check)} title={title}>
+        <td>{there ? <button type="button" class="fold" aria-expanded={open} title="Calculation of this check" onClick={() => { setOpen(!open); }}>{check.name}</button> : check.name}<small>{regionName(check.region)}, {check.code}</small></td>
+        <td>{used(check)}</td>
+        <td>{check.governing ? check.status : 'information'}</td>
+      </tr>
+      {open ? <tr><td colSpan={3}><Sheet lines={check.sheet} /></td></tr> : null}
+    </>
   );
 }
 
@@ -47,7 +66,7 @@ export function Checks() {
         <summary>All checks</summary>
         {deciding.map((c) => <Governing key={c.region} check={c} />)}
         <table class="checks"><tbody>{ranked(checks).map((c) => <Row key={`${c.id} ${c.region} ${c.remark}`} check={c} />)}</tbody></table>
-        <p class="brief">Utilisation; above 1 is exceeded. Formulas not compared with the printed standards.</p>
+        <p class="brief">Utilisation; above 1 is exceeded. Click a check for its calculation, with clauses and what confirms them.</p>
       </details>
     </section>
   );
