@@ -69,6 +69,10 @@ TEST(serve_runs, a_run_in_time_comes_to_its_end_and_can_be_read) {
   ASSERT_TRUE(report);
   EXPECT_NE(report->body.find("small lay"), std::string::npos);
   EXPECT_NE(report->get_header_value("Content-Disposition").find("attachment"), std::string::npos);
+  const httplib::Result shown = serving.client().Get(at + "/report.html?show=1&token=" + serving.server->token());
+  ASSERT_TRUE(shown);
+  EXPECT_EQ(shown->body, report->body);
+  EXPECT_FALSE(shown->has_header("Content-Disposition"));
   EXPECT_FALSE(std::filesystem::exists(serving.folder / "runs" / id / ".run"));
 }
 
@@ -133,6 +137,22 @@ TEST(serve_runs, a_run_has_a_name_and_a_note_and_is_removed) {
   EXPECT_TRUE(serving.get("/api/runs").json.empty());
   EXPECT_FALSE(std::filesystem::exists(serving.folder / "runs" / id));
   EXPECT_EQ(serving.post(at + "/delete", Json::object()).status, 404);
+}
+
+TEST(serve_runs, a_run_says_what_was_changed_since_the_one_before_of_the_same_title) {
+  Serving serving(kSmallLay);
+  const Json first = serving.wait_for(start(serving, {{"kind", "static"}}));
+  EXPECT_EQ(first["changed"], "");
+  const Json changes = {{{"path", "tensioner.tension"}, {"value", "255 kN"}},
+                        {{"path", "vessel.trim"}, {"value", "0.1 deg"}}};
+  const int revision = serving.get("/api/model").json["revision"].get<int>();
+  ASSERT_EQ(serving.post("/api/model/set", {{"changes", changes}, {"revision", revision}}).status, 200);
+  const std::string id = start(serving, {{"kind", "static"}});
+  const std::string said = serving.wait_for(id)["changed"].get<std::string>();
+  EXPECT_NE(said.find("tensioner.tension 255 kN"), std::string::npos) << said;
+  EXPECT_NE(said.find("vessel.trim 0.1 deg"), std::string::npos) << said;
+  serving.restart("model.yaml");  // it is kept with the run
+  EXPECT_EQ(serving.wait_for(id)["changed"], said);
 }
 
 TEST(serve_runs, a_run_that_goes_on_is_not_removed) {

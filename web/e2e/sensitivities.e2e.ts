@@ -26,3 +26,35 @@ test('they are marked as old when a value is tried out', async () => {
   await page.locator('#s-tension').evaluate((el) => { const input = el as HTMLInputElement; input.value = '300'; input.dispatchEvent(new Event('input', { bubbles: true })); });
   await page.locator('section.sensitivities.old').waitFor();
 });
+
+const anew = async (): Promise<void> => {
+  const panel = page.locator('section[aria-label="Sensitivities"]');
+  await panel.locator('button').click();
+  await panel.locator('.tornado li').first().waitFor();
+};
+
+test('they vanish when the model is changed', async () => {
+  await page.click('text=Apply to model');
+  await expect.poll(() => page.locator('.tornado').count()).toBe(0);
+  await anew();
+  await page.click('[aria-label=Undo]');
+  await expect.poll(() => page.locator('.tornado').count()).toBe(0);
+});
+
+test('a new model has neither those of the earlier one nor its lay table', async () => {
+  await anew();
+  await page.click('#tab-laytable');
+  await page.fill('#lt-steps', '2');
+  await page.click('text=Make table');
+  await page.locator('table[aria-label="Lay table"] tbody tr').first().waitFor({ timeout: 60_000 });
+  await page.click('header >> text=New…');
+  if (await page.locator('text=Continue without saving').count()) await page.click('text=Continue without saving');
+  await page.waitForSelector('#n-depth');
+  await page.fill('#n-depth', '60 m');
+  await page.click('dialog button.main');
+  await expect.poll(() => page.locator('dialog[open]').count(), { timeout: 30_000 }).toBe(0);
+  await solved(page);
+  expect(await page.locator('.tornado').count()).toBe(0);
+  expect(await page.locator('table[aria-label="Lay table"]').count()).toBe(0);
+  expect(await page.locator('section[aria-label="Sensitivities"] button').innerText()).toMatch(/^compute the/);
+});

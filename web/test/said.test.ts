@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { differences } from '../src/logic/differences';
 import { askedOfWaves, motionKind, motionValue } from '../src/logic/motion';
-import { bullet, bullets, keyName, withoutPaths } from '../src/logic/findings';
+import { bullet, bullets, keyName, withoutPaths, withoutPlace } from '../src/logic/findings';
 
 describe('warnings', () => {
   const boxes = ['stinger 1', 'stinger 12', 'ramp 1'];
@@ -9,6 +9,7 @@ describe('warnings', () => {
     expect(withoutPaths("'/home/me/models/data/rao.csv': 3 headings")).toBe("'rao.csv': 3 headings");
     expect(withoutPaths('C:\\Users\\me\\a b.csv and /tmp/x/y.yaml:12')).not.toMatch(/Users|tmp/);
     expect(withoutPaths('kN/m^2, 1/2, and/or, m/s')).toBe('kN/m^2, 1/2, and/or, m/s');
+    expect(withoutPaths("'/home/me/my models/a b.csv': 3 headings")).toBe("'a b.csv': 3 headings");
     expect(withoutPaths('../data/bgl1/rao.csv')).toBe('../data/bgl1/rao.csv');
   });
   test('the box stands in front, not another whose name begins alike', () => {
@@ -21,8 +22,14 @@ describe('warnings', () => {
   });
   test('a long sentence is cut at its first clause and kept as a whole', () => {
     const long = 'the pipe has left the box over the side to port: it lies up to 1.47 m beyond the ends of the bottom rollers, which no longer hold it';
-    expect(bullet(long, boxes)).toMatchObject({ short: 'the pipe has left the box over the side to port', full: long });
+    expect(bullet(long, boxes)).toMatchObject({ short: 'the pipe has left the box over the side to port …', full: long });
   });
+  test.each(['30in 300m.yaml:13: warning: ', 'bgl1.yaml:13:5: ', '/home/me/my models/30in 300m.yaml:13: warning: ', 'C:\\Users\\me\\a b.yml:7: warning: ', 'warning: ', ''])('the place in the file in front, "%s", is no part of it', (place) => {
+    const said = 'the wall thickness of 7.1 mm is below the smallest of API 5L for 30 in: 7.9 mm are usual for it, and thinner walls are dented by rollers';
+    expect(bullet(`${place}${said}`, [])).toMatchObject({ full: said, short: 'the wall thickness of 7.1 mm is below the smallest of API 5L for 30 in …' });
+    expect(withoutPlace('rao.yaml is read: 3 columns')).toBe('rao.yaml is read: 3 columns');
+  });
+  test('a word longer than a bullet is cut where it must be', () => expect(bullet('x'.repeat(200), []).short).toBe(`${'x'.repeat(96)} …`));
   test('what is said twice is one bullet', () => expect(bullets(['warning: a', 'a', 'b'], [])).toHaveLength(2));
 });
 

@@ -83,8 +83,9 @@ void add_operation_routes(std::vector<HttpRoute>& routes, OpenModel& model, Live
   routes.push_back({"GET", "/api/operation/stages/*", [&](const HttpRequest& request) {
                       return json_answer(operation.stage(number_of(request.parts[0])));
                     }});
-  routes.push_back({"GET", "/api/operation/report.html", [&](const HttpRequest&) {
-                      return HttpAnswer{200, "text/html; charset=utf-8", operation.report(), "operation.html"};
+  routes.push_back({"GET", "/api/operation/report.html", [&](const HttpRequest& request) {
+                      const char* name = request.parameter("show").empty() ? "operation.html" : "";
+                      return HttpAnswer{200, "text/html; charset=utf-8", operation.report(), name};
                     }});
 }
 

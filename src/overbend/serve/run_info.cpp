@@ -129,6 +129,7 @@ Json run_json(const RunInfo& run) {
                {"message", run.message},
                {"name", run.name},
                {"note", run.note},
+               {"changed", run.changed},
                {"has_results", run.has_results},
                {"resumable", run.resumable}};
   if (run.now) {

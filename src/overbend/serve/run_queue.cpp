@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "modelfile/model_differences.h"
 #include "resultfiles/results_writer.h"
 #include "runstore/append_file.h"
 
@@ -38,6 +39,19 @@ std::string make_folder(const fs::path& folder, const std::string& kind) {
     if (fs::create_directory(folder / name, fault)) return name;
   }
   throw HttpFault(422, "the folder '" + folder.string() + "' cannot be written: " + fault.message());
+}
+
+/// "tensioner.tension 255 kN, vessel.trim 1 deg and 3 more keys"; empty where the texts say the same.
+std::string changes_in_words(const std::string& before, const std::string& text) {
+  constexpr std::size_t kShown = 2;
+  const std::vector<DifferingKey> keys = differing_keys(std::array{before, text});
+  std::string words;
+  for (std::size_t i = 0; i < std::min(kShown, keys.size()); ++i) {
+    const std::string& value = keys[i].values[1];
+    words += (i ? ", " : "") + keys[i].key + (value.empty() ? " removed" : " " + value);
+  }
+  const std::size_t more = keys.size() - std::min(kShown, keys.size());
+  return more == 0 ? words : words + " and " + std::to_string(more) + (more == 1 ? " more key" : " more keys");
 }
 
 }  // namespace
@@ -73,6 +87,7 @@ RunInfo RunQueue::add(const ModelText& model, const RunRecord& order, const std:
   run.id = make_folder(folder_, run.kind);
   run.started = seconds_since_1970();
   run.model_path = model.path;
+  run.changed = changed_since_last(run.title, model.text);
   write_text(folder(run) / kModelCopy, model.text);
   if (run.is_matrix()) write_text(folder(run) / kStudyCopy, study);
   keep_record(run, folder(run));
@@ -87,6 +102,14 @@ RunInfo RunQueue::add(const ModelText& model, const RunRecord& order, const std:
   events_.send("run", run_json(run), run.id);
   for (const RunInfo& one : cases) events_.send("run", run_json(one), one.id);
   return run;
+}
+
+std::string RunQueue::changed_since_last(const std::string& title, const std::string& text) const {
+  std::optional<RunInfo> last;
+  for (const RunInfo& run : list()) {
+    if (run.parent.empty() && run.title == title && (!last || run.id > last->id)) last = run;
+  }
+  return last ? changes_in_words(file_text(folder(*last) / kModelCopy), text) : "";
 }
 
 RunInfo RunQueue::cancel(const std::string& id) {

@@ -71,6 +71,8 @@ class RunQueue {
   void update(const std::string& id, const std::function<void(RunInfo&)>& change, bool lasting);
   void end(const std::string& id, RunState state, const std::string& message);
   RunInfo& at(const std::string& id);
+  /// Keys in which the model differs from that of the last run of this kind of name; empty where there is none.
+  std::string changed_since_last(const std::string& title, const std::string& text) const;
   /// HttpFault 409 for a case of a study.
   RunInfo find_whole(const std::string& id) const;
   bool closing() const;

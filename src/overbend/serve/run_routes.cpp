@@ -233,12 +233,13 @@ HttpAnswer table(const RunQueue& runs, const HttpRequest& request) {
 
 HttpAnswer report(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = done(runs, request);
+  const std::string name = request.parameter("show").empty() ? run.id + ".html" : "";
   const std::string file = run.is_study() ? study_files(run).page : "report.html";
   if (run.is_matrix()) {
-    return {200, "text/html; charset=utf-8", file_text(runs.folder(run) / kStudyFolder / file), run.id + ".html"};
+    return {200, "text/html; charset=utf-8", file_text(runs.folder(run) / kStudyFolder / file), name};
   }
   if (file.empty()) throw HttpFault(404, "several seeds have no report of their own", "each of the cases has one");
-  return {200, "text/html; charset=utf-8", file_text(runs.folder(run) / file), run.id + ".html"};
+  return {200, "text/html; charset=utf-8", file_text(runs.folder(run) / file), name};
 }
 
 HttpAnswer annotate(RunQueue& runs, const HttpRequest& request) {

@@ -32,8 +32,8 @@ Json record_json(const RunRecord& r) {
           {"state", word(r.state)}, {"progress", r.progress},
           {"started", r.started},   {"message", r.message},
           {"name", r.name},         {"note", r.note},
-          {"stage", r.stage},       {"input", r.input},
-          {"program", r.program}};
+          {"changed", r.changed},   {"stage", r.stage},
+          {"input", r.input},       {"program", r.program}};
 }
 
 RunRecord record_of(const Json& json) {
@@ -51,6 +51,7 @@ RunRecord record_of(const Json& json) {
   r.message = json.value("message", "");
   r.name = json.value("name", "");
   r.note = json.value("note", "");
+  r.changed = json.value("changed", "");
   r.input = json.value("input", "");
   r.program = json.value("program", "");
   return r;

@@ -27,6 +27,7 @@ struct RunRecord {
   double started = 0.0;    ///< Seconds since 1970.
   std::string message;     ///< Why it failed, and the like.
   std::string name, note;  ///< The user's.
+  std::string changed;     ///< Keys in which its model differs from that of an earlier run of the same title.
   std::string input;       ///< Hash of what the results in the folder were computed from; empty while there are none.
   std::string program;     ///< Identity of the program that did.
 };

@@ -77,6 +77,8 @@ export interface Run {
   of?: string;
   /** The user's. */
   name: string; note: string;
+  /** Keys with their values in which its model differs from that of the run before with the same title; empty where there is none. */
+  changed: string;
   /** Of a whole run, or of what was computed before it was cancelled. */
   has_results: boolean;
   /** It can go on from its checkpoint. */

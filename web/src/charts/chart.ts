@@ -34,7 +34,10 @@ export class Chart {
   private zoomed: [number, number] | null = null;
   private silent = false;
 
-  constructor(private readonly box: HTMLElement, private readonly on: ChartHandlers) {}
+  constructor(private readonly box: HTMLElement, private readonly on: ChartHandlers) {
+    // For tests: the ends of the x axis.
+    (box as unknown as { shown: () => [number, number] }).shown = () => [this.plot?.scales.x!.min ?? Number.NaN, this.plot?.scales.x!.max ?? Number.NaN];
+  }
 
   private colour(name: string): string { return getComputedStyle(this.box).getPropertyValue(name).trim(); }
 
@@ -170,6 +173,12 @@ export class Chart {
       }
     }
     ctx.restore();
+  }
+
+  /** All of it is shown, as of another model. */
+  showWhole(): void {
+    this.zoomed = null;
+    if (this.plot && this.data) this.fill();
   }
 
   setNow(now: number | null): void { if (this.extra.now !== now) { this.extra.now = now; this.plot?.redraw(false, false); } }

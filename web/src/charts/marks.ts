@@ -1,5 +1,6 @@
 // What stands in a diagram beside its curves: levels such as water or what is allowed, and the names of the boxes.
 import type uPlot from 'uplot';
+import { upright } from '../logic/labelRoom';
 import { tidy } from '../logic/units';
 import type { ChartData } from './data';
 
@@ -48,7 +49,22 @@ export function nameLevels(u: uPlot, levels: ChartData['level'], colour: Colour)
   }
 }
 
-/** Names of the boxes upright at their marks, as many as there is room for. */
+/** Highest and lowest point [px] of all curves between two places. */
+function curvesBetween(u: uPlot, left: number, right: number): [number, number] | null {
+  const value = (px: number): number => u.posToVal((px - u.bbox.left) / devicePixelRatio, 'x');
+  const from = Math.max(0, u.valToIdx(value(left)) - 1), to = u.valToIdx(value(right)) + 1;
+  let band: [number, number] | null = null;
+  for (const values of u.data.slice(1)) {
+    for (const v of values.slice(from, to + 1)) {
+      if (v === null || v === undefined) continue;
+      const y = u.valToPos(v, 'y', true);
+      band = band ? [Math.min(band[0], y), Math.max(band[1], y)] : [y, y];
+    }
+  }
+  return band;
+}
+
+/** Names of the boxes upright at their marks, as many as there is room for beside each other and off the curves. */
 export function nameMarks(u: uPlot, marks: ChartData['marks'], colour: Colour): void {
   const { ctx, bbox } = u;
   const d = devicePixelRatio;
@@ -60,13 +76,17 @@ export function nameMarks(u: uPlot, marks: ChartData['marks'], colour: Colour): 
   for (const m of marks) {
     const x = u.valToPos(m.x, 'x', true);
     if (x < bbox.left + 2 * d || x > bbox.left + bbox.width || x - last < step) continue;
+    const length = ctx.measureText(m.label).width;
+    const room = { top: bbox.top + 4 * d, bottom: bbox.top + bbox.height - 9 * d };
+    const free = Number.isNaN(m.y) && m.over === undefined ? upright(length + 3 * d, room, curvesBetween(u, x - 0.5 * step, x + 0.5 * step)) : 'low';
+    if (!free) continue;
     last = x;
     // from the lower end upwards, but hanging below a curve that they mark
     const below = !Number.isNaN(m.y);
     ctx.textAlign = below ? 'right' : 'left';
     ctx.save();
     const bar = m.over === undefined ? Infinity : u.valToPos(m.over, 'y', true) - 5 * d;
-    const foot = bar - ctx.measureText(m.label).width > bbox.top ? Math.min(bar, bbox.top + bbox.height - 9 * d) : bbox.top + bbox.height - 9 * d;
+    const foot = free === 'high' ? room.top + length : bar - length > bbox.top ? Math.min(bar, room.bottom) : room.bottom;
     ctx.translate(x + 0.32 * step, below ? u.valToPos(m.y, 'y', true) + 12 * d : foot);
     ctx.rotate(-Math.PI / 2);
     ctx.lineWidth = 3 * d;

@@ -19,9 +19,10 @@ export interface Bullet {
 
 const longest = 96;
 
-/** "/home/me/models/rao.csv" becomes "rao.csv". */
+/** "/home/me/models/rao.csv" becomes "rao.csv"; between quotes folders and files may have blanks. */
 export function withoutPaths(text: string): string {
-  return text.replace(/(?<![\w.])(?:[A-Za-z]:)?[\\/](?:[^\s'"`:;,()\\/]+[\\/])+([^\s'"`:;,()\\/]+)/g, '$1');
+  const quoted = text.replace(/(['"`])(?:[A-Za-z]:)?[\\/](?:(?!\1)[^\n])*[\\/]((?:(?!\1)[^\\/\n])+)\1/g, '$1$2$1');
+  return quoted.replace(/(?<![\w.])(?:[A-Za-z]:)?[\\/](?:[^\s'"`:;,()\\/]+[\\/])+([^\s'"`:;,()\\/]+)/g, '$1');
 }
 
 /** The key of a field in the words of the form: "stinger box 3 x". */
@@ -40,18 +41,24 @@ function boxIn(text: string, boxes: readonly string[]): string {
   return found;
 }
 
-/** The first clause, where the sentence is longer than a bullet. */
+/** The first clause, where the sentence is longer than a bullet; the mark at its end says that there is more. */
 function clause(text: string): string {
   if (text.length <= longest) return text;
   for (const end of ['; ', ': ', ', ']) {
     const at = text.indexOf(end, 24);
-    if (at > 0 && at <= longest) return text.slice(0, at);
+    if (at > 0 && at <= longest) return `${text.slice(0, at)} …`;
   }
-  return `${text.slice(0, text.lastIndexOf(' ', longest))} …`;
+  const blank = text.lastIndexOf(' ', longest);
+  return `${text.slice(0, blank > 24 ? blank : longest)} …`;
+}
+
+/** Without the place in a file that stands in front: "30in 300m.yaml:13: warning: ...", with whatever folders and blanks. */
+export function withoutPlace(text: string): string {
+  return text.replace(/^\s*(?:(?:(?!: )[^\n])*?\.ya?ml(?::\d+)+:\s+|[\w.-]+\.ya?ml:\s+)?(?:(?:warning|error):\s*)?/i, '').trim();
 }
 
 export function bullet(text: string, boxes: readonly string[], key = '', severity: Severity = 'caution', code = ''): Bullet {
-  const full = withoutPaths(text).replace(/^(?:[\w.-]+\.ya?ml(?::\d+)*:\s*)?(?:warning:\s*)?/, '').trim();
+  const full = withoutPaths(withoutPlace(text));
   const box = boxIn(full, boxes);
   // a name that stands in front need not be said again: "...: stinger 8, port roller"
   const rest = box ? full.replace(`: ${box}, `, ': ') : full;

@@ -14,6 +14,21 @@ export function newerList(known: Run[], list: Run[]): Run[] {
   });
 }
 
+const ownName = (run: Run): string => run.name || run.title || run.id;
+
+/** Names under which runs are listed: those that would be called alike are numbered in the order of their start, with what was changed for them. */
+export function listedNames(runs: readonly Run[]): Map<string, string> {
+  const alike = new Map<string, Run[]>();
+  for (const run of runs) if (!run.parent) alike.set(ownName(run), [...(alike.get(ownName(run)) ?? []), run]);
+  const names = new Map(runs.map((run) => [run.id, ownName(run)]));
+  for (const [name, list] of alike) {
+    if (list.length < 2) continue;
+    const order = (a: Run, b: Run): number => (a.started || Infinity) - (b.started || Infinity) || (a.id < b.id ? -1 : 1);
+    [...list].sort(order).forEach((run, i) => names.set(run.id, `${name} (${i + 1}${run.changed ? `: ${run.changed}` : ''})`));
+  }
+  return names;
+}
+
 export const isStudy = (run: Run): boolean => run.kind === 'seeds' || run.kind === 'comparison';
 
 /** "1-5, 9" or "1 to 5, 9" as the seeds that are meant; null where it says nothing of the kind, or a seed twice. */

@@ -6,7 +6,7 @@ import { along, colours, lineShape, lineTension, reactions, shape, type ChartDat
 import { display, quantities, quantity } from '../logic/show';
 import { onLines } from '../logic/views';
 import { columnName } from '../logic/tensioner';
-import { byPath } from '../state/model';
+import { byPath, opened } from '../state/model';
 import { shownStage } from '../state/operation';
 import { calmLay, ofRun, shownFailure, shownScene } from '../state/shown';
 import { cursor, slots, theme } from '../state/look';
@@ -130,6 +130,9 @@ function Slot({ index }: { index: number }) {
     if (!inTime) { chart.current?.setCursor(at); if (!box.current?.matches(':hover')) setRead(at === null || !dataRef.current ? '' : chart.current?.readAt(nearest(dataRef.current.s, at)) ?? ''); }
   }, [at]);
 
+  const model = opened.value;
+  useEffect(() => { setZoom(null); chart.current?.showWhole(); }, [model]);
+
   const choose = (value: string): void => { setZoom(null); const next = [...slots.value]; next[index] = value; slots.value = next; };
   return (
     <figure class={`slot${shownFailure.value && !inTime ? ' old' : ''}`}>
@@ -143,7 +146,7 @@ function Slot({ index }: { index: number }) {
           </optgroup>
           {columns.value.length ? <optgroup label={`Time histories: ${selected.value ? runName(selected.value) : ''}`}>{columns.value.map((c) => <option key={c.name} value={`history:${c.name}`} title={c.text}>{columnName(c.name)}</option>)}</optgroup> : null}
         </select>
-        <output class="read" aria-live="off">{read}</output>
+        <output class="read" aria-live="off" title={read}>{read}</output>
         <span class="exports">{(['png', 'svg', 'csv'] as const).map((kind) => <button key={kind} type="button" class="tiny" disabled={!data} title={`Save as ${kind.toUpperCase()}`} onClick={() => chart.current?.export(kind)}>{kind}</button>)}</span>
       </figcaption>
       {data ? <Legend data={data} /> : null}

@@ -83,7 +83,7 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
           }}
         />
       )}
-      <span class="twin">{other}</span>
+      <span class="twin" title={other}>{other}</span>
       {message ? <p class={wrong ? 'fault' : 'note'} role={wrong ? 'alert' : undefined}>{message}</p> : null}
     </div>
   );

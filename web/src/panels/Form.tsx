@@ -81,7 +81,7 @@ function Items({ node }: { node: FieldNode }) {
         return (
           <div key={item.path} class="item">
             <div class="itemhead">
-              <button type="button" class="fold" aria-expanded={!!open} onClick={() => flip(more, item.path)}>{named ? String(named) : `${node.label} ${item.label}`}<span class="brief">{open ? '' : summary}</span></button>
+              <button type="button" class="fold" aria-expanded={!!open} title={open ? undefined : summary} onClick={() => flip(more, item.path)}>{named ? String(named) : `${node.label} ${item.label}`}<span class="brief">{open ? '' : summary}</span></button>
               <button type="button" class="tiny" title="Remove" aria-label={`Remove ${named ? String(named) : item.label}`} onClick={() => void act(item.path, null)}>✕</button>
             </div>
             {open ? <Members nodes={item.children} path={item.path} /> : null}

@@ -1,17 +1,20 @@
 // The lay table of the open model: tension, lay-back or depth in steps, its rows, curves and downloads.
-import { signal } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import { useState } from 'preact/hooks';
 import { ApiError, address, post } from '../api/client';
 import type { LayTable, LayTableAnswer, LayTableCurves, LayTableVary } from '../api/types';
 import { bounds, rangeOf, ticks, usualRange, wishFault, type LayTableWish } from '../logic/laytable';
 import { bullets } from '../logic/findings';
-import { byPath, revision } from '../state/model';
+import { byPath, opened, revision } from '../state/model';
 import { calmLay } from '../state/shown';
 import { Findings } from './Findings';
 
 /** The last one, with the revision of the model that it is of. */
 const table = signal<{ of: LayTable; revision: number } | null>(null);
 const wish = signal<LayTableWish | null>(null);
+
+// Another model: neither its table nor its range.
+effect(() => { void opened.value; table.value = null; wish.value = null; });
 
 const usual = (vary: LayTableVary): LayTableWish => usualRange(vary, calmLay.value?.key ?? null, byPath.value.get('environment.water_depth')?.si ?? null);
 
@@ -82,14 +85,16 @@ export function LayTablePanel() {
     setBusy(true);
     setRefused('');
     try {
-      const asked = revision.value;
+      const asked = revision.value, model = opened.value;
       const answer = await post<LayTableAnswer>('lay-table', { vary: now.vary, range: rangeOf(now) });
+      if (model !== opened.value) return;
       if (answer.status === 'ok') table.value = { of: answer, revision: asked };
       else setRefused(answer.diagnostics[0]?.message ?? 'the model has errors');
     } catch (error) {
       setRefused(error instanceof ApiError ? error.message : String(error));
+    } finally {
+      setBusy(false);
     }
-    setBusy(false);
   };
   const field = (key: 'from' | 'to' | 'steps') => (
     <div class="row wide"><label for={`lt-${key}`}>{key}</label><input id={`lt-${key}`} value={now[key]} autocomplete="off" onInput={(e) => set({ [key]: e.currentTarget.value })} /></div>

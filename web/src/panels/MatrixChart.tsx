@@ -1,16 +1,20 @@
 // Cases of a study in a drawing: a curve over one key, or a map over two.
 import type { Matrix } from '../api/types';
+import { nameStep } from '../logic/labelRoom';
 import { ticks } from '../logic/laytable';
 import type { Cell } from '../logic/studies';
 import { tidy } from '../logic/units';
 
-const kWide = 300, kLeft = 52, kRight = 8, kBottom = 34, kTop = 8;
+const kWide = 300, kLetter = 5.6, kRight = 8, kBottom = 34, kTop = 8;
 
 type Axis = Matrix['inputs'][number];
 export const axisName = (input: { key: string; unit: string }): string => `${input.key.split('.').at(-1)!.replace(/_/g, ' ')}${input.unit ? ` [${input.unit}]` : ''}`;
 export const axisWord = (input: { words: string[]; values: (number | null)[] }, i: number): string => { const v = input.values[i]; return v === null || v === undefined ? input.words[i] ?? '' : tidy(v, 4); };
 
 const words: Record<Cell['state'], string> = { passed: 'passes', reserved: 'passes with reservations', exceeded: 'a check is exceeded', 'not judged': 'not judged', failed: 'no solution', open: 'not computed yet' };
+
+/** Room for the longest word beside the axis. */
+const leftOf = (words: readonly string[]): number => Math.min(Math.max(52, kLetter * Math.max(...words.map((w) => w.length)) + 10), 130);
 
 interface Chart { m: Matrix; axes: number[]; cells: Cell[][]; output: number; chosen: Cell | null; choose: (cell: Cell) => void }
 
@@ -32,6 +36,7 @@ export function Curve(chart: Chart) {
   const values = row.map((c) => c.value).filter((v): v is number => v !== null);
   const tall = 190, [low, high] = values.length ? [Math.min(...values), Math.max(...values)] : [0, 1], room = 0.08 * (high - low) || 0.05 * Math.abs(high) || 1;
   const [x0, x1] = [Math.min(...at), Math.max(...at)], [y0, y1] = [low >= 0 && low < 0.35 * high ? 0 : low - room, high + room];
+  const kLeft = leftOf(ticks(y0, y1).map(String)), wide = kWide - kLeft - kRight, everyMark = nameStep(marks.map((m2) => m2.text), wide / Math.max(marks.length, 1), kLetter);
   const px = (x: number): number => kLeft + (x1 > x0 ? (x - x0) / (x1 - x0) : 0.5) * (kWide - kLeft - kRight - 8) + 4;
   const py = (y: number): number => tall - kBottom - ((y - y0) / (y1 - y0)) * (tall - kBottom - kTop);
   const order = row.map((_c, i) => i).sort((a, b) => at[a]! - at[b]!);
@@ -40,7 +45,7 @@ export function Curve(chart: Chart) {
   return (
     <svg viewBox={`0 0 ${kWide} ${tall}`} class="matrix" role="group" aria-label={`${m.outputs[output]!.name} over ${axis.key}`}>
       {ticks(y0, y1).map((y) => <g key={y}><line class="grid" x1={kLeft} x2={kWide - kRight} y1={py(y)} y2={py(y)} /><text x={kLeft - 4} y={py(y) + 4} text-anchor="end">{y}</text></g>)}
-      {marks.map((mark) => <text key={mark.text} x={px(mark.at)} y={tall - kBottom + 14} text-anchor="middle">{mark.text}</text>)}
+      {marks.map((mark, i) => (i % everyMark ? null : <text key={mark.text} x={px(mark.at)} y={tall - kBottom + 14} text-anchor="middle">{mark.text}</text>))}
       <text class="title" x={(kLeft + kWide - kRight) / 2} y={tall - 4} text-anchor="middle">{axisName(axis)}</text>
       <path class="line k0" d={path} />
       {row.map((cell, i) => (
@@ -62,7 +67,8 @@ export function HeatMap(chart: Chart) {
   const [low, high] = values.length ? [Math.min(...values), Math.max(...values)] : [0, 1];
   const columns = x.words.length, rows = y.words.length;
   const height = Math.max(10, Math.min(22, 220 / rows)), tall = kTop + rows * height + kBottom;
-  const w = (kWide - kLeft - kRight) / columns, every = Math.ceil(columns / 6), everyRow = Math.ceil(11 / height);
+  const kLeft = leftOf(y.words.map((_word, j) => axisWord(y, j)));
+  const w = (kWide - kLeft - kRight) / columns, every = nameStep(x.words.map((_word, i) => axisWord(x, i)), w, kLetter), everyRow = Math.ceil(11 / height);
   const shade = (v: number): number => (high > low ? (v - low) / (high - low) : 0.5);
   return (
     <>

@@ -6,9 +6,10 @@ import { tidy } from '../logic/units';
 import { bullets, withoutPaths } from '../logic/findings';
 import { setKeys } from '../state/model';
 import { say, sayError } from '../state/notices';
-import { reportAddress, runName, select, tableAddress } from '../state/runs';
+import { reportAddress, reportToShow, runName, select, tableAddress } from '../state/runs';
 import { matrix } from '../state/studies';
 import { axisName, axisWord, Curve, HeatMap } from './MatrixChart';
+import { ReportLinks } from './ReportLinks';
 import { Standing } from './RunResults';
 import { Findings } from './Findings';
 
@@ -109,7 +110,7 @@ export function MatrixResults({ run }: { run: Run }) {
           {m.cases.length ? <p class="standing">{tally(m)}</p> : null}
           {m.operability ? <Limits of={m.operability} /> : null}
           {m.cases.length ? <Charts m={m} /> : null}
-          {run.has_results ? <div class="acts"><a class="button" href={reportAddress(run.id)} download={`${run.id}.html`}>Report</a><a class="button" href={tableAddress(run.id)} download={`${run.id}.csv`}>Table (CSV)</a></div> : null}
+          {run.has_results ? <div class="acts"><ReportLinks file={reportAddress(run.id)} show={reportToShow(run.id)} name={`${run.id}.html`} /><a class="button" href={tableAddress(run.id)} download={`${run.id}.csv`}>Table (CSV)</a></div> : null}
           <Findings list={bullets(m.findings, [])} />
         </>
       ) : run.has_results ? <p class="brief">Loading…</p> : null}

@@ -175,7 +175,7 @@ export function Picture() {
         <div class="rollerkey">{animated && !largest ? 'no reactions in this run' : <><i class="solid" style={{ background: css('load') }} /> {animated ? 'box' : 'roller'}{largest ? `, to ${tidy(largest / 1e3, 3)} kN` : ' carries'} <span><i class={animated ? 'pale' : 'hollow'} /> clear</span></>}</div>
         {!ofRun.value && shownStage.value?.parts ? <div class="rollerkey"><i style={{ background: partColours(theme.value === 'dark').head }} /> head <span><i style={{ background: partColours(theme.value === 'dark').cable }} /> cable</span></div> : null}
       </div> : null}
-      {ofRun.value && selected.value ? <div class="whose">run: <b>{runName(selected.value)}</b> <button type="button" class="tiny" aria-label="Back to the model" title="Back to the model" onClick={() => select(null)}>✕</button></div> : null}
+      {ofRun.value && selected.value ? <div class="whose" title={runName(selected.value)}>run: <b>{runName(selected.value)}</b> <button type="button" class="tiny" aria-label="Back to the model" title="Back to the model" onClick={() => select(null)}>✕</button></div> : null}
       {planShown.value ? null : <Values />}
       {bad ? <div class="failure" role="alert"><b>{bad.what || 'No solution'}{bad.where ? `: ${bad.where}` : ''}</b><p>{withoutPaths(bad.why)}</p>{errors.value[0] ? <button type="button" onClick={() => leadToFault(errors.value[0]!)}>Show {errors.value[0].key ? keyName(errors.value[0].key) : `line ${errors.value[0].line}`}</button> : null}{known ? <p class="brief">The last valid solution is shown in grey.</p> : null}</div> : null}
       {problem ? <p class="failure">{problem}</p> : null}

@@ -5,7 +5,8 @@ import { isStudy } from '../logic/runs';
 import { tidy } from '../logic/units';
 import { withoutPaths } from '../logic/findings';
 import type { Run } from '../api/types';
-import { annotate, cancelRun, deleteRun, reportAddress, resumeRun, runName, runs, select, selected, selectedId, timeToFinish } from '../state/runs';
+import { annotate, cancelRun, deleteRun, reportAddress, reportToShow, resumeRun, runName, runs, select, selected, selectedId, timeToFinish } from '../state/runs';
+import { ReportLinks } from './ReportLinks';
 import { StartRun } from './StartRun';
 
 const words: Record<Run['state'], string> = { queued: 'waiting', running: 'running', done: 'done', failed: 'failed', cancelled: 'cancelled' };
@@ -90,7 +91,7 @@ function Card({ run }: { run: Run }) {
       {isStudy(run) && (mine || going || selected.value?.parent === run.id) ? <Cases study={run} /> : null}
       <div class="acts">
         {going ? <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button> : null}
-        {run.has_results && run.kind !== 'seeds' ? <a class="button" href={reportAddress(run.id)} download={`${run.id}.html`}>Report</a> : null}
+        {run.has_results && run.kind !== 'seeds' ? <ReportLinks file={reportAddress(run.id)} show={reportToShow(run.id)} name={`${run.id}.html`} /> : null}
         {run.has_results && !mine ? <button type="button" onClick={() => select(run.id)}>{run.kind === 'dynamic' ? 'Animate' : 'Show'}</button> : null}
         {run.resumable && !going ? <button type="button" title="Continue where it was stopped" onClick={() => void resumeRun(run.id)}>Resume</button> : null}
         {mine && !going ? <Delete run={run} /> : null}

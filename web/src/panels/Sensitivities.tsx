@@ -1,5 +1,5 @@
 // What a key result hangs on: the inputs whose tolerance moves it most, as a tornado.
-import { signal } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import { post } from '../api/client';
 import type { Change, SensitivityAnswer, SensitivityInput } from '../api/types';
 import { changes } from '../state/live';
@@ -14,13 +14,17 @@ async function find(): Promise<void> {
   busy.value = true;
   const asked = { revision: revision.value, changes: changes.value };
   try {
-    found.value = { answer: await post<SensitivityAnswer>('sensitivities', { changes: asked.changes }), ...asked };
+    const answer = await post<SensitivityAnswer>('sensitivities', { changes: asked.changes });
+    if (asked.revision === revision.value) found.value = { answer, ...asked };
   } catch (error) {
     sayError(error);
   } finally {
     busy.value = false;
   }
 }
+
+// The text of the model is another one: they are not its own.
+effect(() => { void revision.value; found.value = null; });
 
 function Bar({ share, up }: { share: number; up: boolean }) {
   const width = 50 * Math.abs(share);
@@ -57,7 +61,7 @@ function Tornado({ answer }: { answer: SensitivityAnswer }) {
 
 export function Sensitivities() {
   const at = found.value;
-  const old = at !== null && (at.revision !== revision.value || at.changes !== changes.value);
+  const old = at !== null && at.changes !== changes.value;
   return (
     <section class={`sensitivities${old ? ' old' : ''}`} aria-label="Sensitivities">
       <h3>What this result hangs on {old ? <small>before the last change</small> : null}</h3>

@@ -2,7 +2,8 @@
 import type { Run, Study, StudyQuantity } from '../api/types';
 import { tidy } from '../logic/units';
 import { bullets } from '../logic/findings';
-import { reportAddress, runName, runs, select, study, tableAddress } from '../state/runs';
+import { reportAddress, reportToShow, runName, runs, select, study, tableAddress } from '../state/runs';
+import { ReportLinks } from './ReportLinks';
 import { Standing } from './RunResults';
 import { Findings } from './Findings';
 
@@ -43,7 +44,7 @@ export function StudyResults({ run }: { run: Run }) {
       {of ? (
         <>
           <div class="acts">
-            {run.kind === 'comparison' ? <a class="button" href={reportAddress(run.id)} download={`${run.id}.html`}>Comparison page</a> : null}
+            {run.kind === 'comparison' ? <ReportLinks file={reportAddress(run.id)} show={reportToShow(run.id)} name={`${run.id}.html`} words="Comparison page" /> : null}
             <a class="button" href={tableAddress(run.id)} download={`${run.id}.csv`}>Table (CSV)</a>
           </div>
           <Table of={of} />

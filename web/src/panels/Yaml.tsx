@@ -30,8 +30,15 @@ export function Yaml() {
       const c = effect(() => { const to = lead.value; if (to && !to.key && to.line) { e.goTo(to.line); lead.value = null; } });
       stop = () => { a(); b(); c(); };
     }).catch(sayError);
+    // the browser's own search sees only the lines that are drawn
+    const find = (e: KeyboardEvent): void => {
+      if (!(e.ctrlKey || e.metaKey) || e.altKey || e.shiftKey || e.key.toLowerCase() !== 'f' || e.defaultPrevented || document.querySelector('dialog[open]')) return;
+      e.preventDefault();
+      editor.current?.openSearch();
+    };
+    addEventListener('keydown', find);
     if (!schema) get<Schema>('schema').then((s) => { schema = s; }).catch(sayError);
-    return () => { gone = true; flush(); stop(); editor.current?.destroy(); };
+    return () => { removeEventListener('keydown', find); gone = true; flush(); stop(); editor.current?.destroy(); };
   }, []);
   return (
     <div class="yaml">

@@ -4,6 +4,7 @@ import { defaultKeymap, indentWithTab } from '@codemirror/commands';
 import { yaml } from '@codemirror/lang-yaml';
 import { bracketMatching, HighlightStyle, indentOnInput, syntaxHighlighting } from '@codemirror/language';
 import { lintGutter, setDiagnostics } from '@codemirror/lint';
+import { highlightSelectionMatches, openSearchPanel, search, searchKeymap } from '@codemirror/search';
 import { EditorState } from '@codemirror/state';
 import { EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
@@ -38,6 +39,7 @@ export interface YamlEditor {
   setText(text: string): void;
   setFaults(list: Diagnostic[]): void;
   goTo(line: number): void;
+  openSearch(): void;
   destroy(): void;
 }
 
@@ -50,11 +52,12 @@ export function makeEditor(box: HTMLElement, start: string, schema: () => Schema
       extensions: [
         lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection(), indentOnInput(), bracketMatching(), closeBrackets(),
         yaml(), syntaxHighlighting(colours), autocompletion({ override: [complete(schema)], activateOnTyping: true }),
+        search({ top: true }), highlightSelectionMatches(),
         EditorView.contentAttributes.of({ 'aria-label': 'Model as YAML' }),
         // one undo for form and editor alike
         keymap.of([
           { key: 'Mod-z', run: () => { undo(); return true; } }, { key: 'Mod-y', run: () => { redo(); return true; } }, { key: 'Mod-Shift-z', run: () => { redo(); return true; } },
-          ...closeBracketsKeymap, ...completionKeymap, ...defaultKeymap, indentWithTab,
+          ...searchKeymap, ...closeBracketsKeymap, ...completionKeymap, ...defaultKeymap, indentWithTab,
         ]),
         EditorView.updateListener.of((u) => { if (u.docChanged && !outside) changed(u.state.doc.toString()); }),
       ],
@@ -86,6 +89,7 @@ export function makeEditor(box: HTMLElement, start: string, schema: () => Schema
       view.dispatch({ selection: { anchor: line.from }, effects: EditorView.scrollIntoView(line.from, { y: 'center' }) });
       view.focus();
     },
+    openSearch() { openSearchPanel(view); },
     destroy() { view.destroy(); },
   };
 }

@@ -28,14 +28,18 @@ export const scene = computed<Scene | null>(() => (standing.value ? liveScene(st
 /** From the moment of asking to the answer, in ms. */
 export const roundTrip = signal(0);
 
-interface Request { asked: number; body: { changes: Change[]; full: boolean; lists?: string[] } }
+interface Request { asked: number; revision: number; body: { changes: Change[]; full: boolean; lists?: string[] } }
 
 /** Lists along the pipe that are on the screen: no others are sent while dragging. */
 const looked = (): string[] => [...new Set([colourBy.value, ...slots.value])].filter((name) => /^(tension|moment|bending_stress|von_mises|strain|utilisation|checks)$/.test(name));
 
+/** Revision with which the open model was opened. */
+let openedAt = 0;
+
 const gate = new Solver<Request>(
-  (answer: StaticAnswer, { asked }) => batch(() => {
-    roundTrip.value = performance.now() - asked;
+  (answer: StaticAnswer, request) => batch(() => {
+    if (request.revision < openedAt) return; // of the model that was open before
+    roundTrip.value = performance.now() - request.asked;
     ++solved.count;
     if (answer.status === 'converged') { failure.value = null; solution.value = answer; }
     else if (answer.status === 'failed') failure.value = answer;
@@ -86,11 +90,11 @@ export async function applyLive(): Promise<void> {
 let sceneCount = 0;
 
 async function fetchScene(): Promise<void> {
-  const mine = ++sceneCount;
+  const mine = ++sceneCount, asked = revision.value;
   try {
     const answer = await get<Scene | { status: 'invalid' }>('scene');
     // an answer that was overtaken is older than what is shown
-    if (answer.status === 'ok' && mine === sceneCount) standing.value = answer;
+    if (answer.status === 'ok' && mine === sceneCount && asked >= openedAt) standing.value = answer;
   } catch (error) { sayError(error); }
 }
 
@@ -99,7 +103,7 @@ export function startLive(): void {
   let last: Change[] | null = null;
   effect(() => {
     // another model: the sliders start from it, and the old pipe must not be taken for its own
-    if (opened.value !== seen) { seen = opened.value; values.value = {}; solution.value = null; calm.value = null; failure.value = null; standing.value = null; }
+    if (opened.value !== seen) { seen = opened.value; openedAt = revision.peek(); values.value = {}; solution.value = null; calm.value = null; failure.value = null; standing.value = null; }
   });
   let timer = 0;
   effect(() => {
@@ -111,7 +115,7 @@ export function startLive(): void {
     const ready = hasModel.value && errors.value.length === 0;
     void revision.value;
     const list = changes.value, lean = dragging.value;
-    if (ready) untracked(() => { if (!lean || list !== last) gate.submit({ asked: performance.now(), body: { changes: list, full: false, ...(lean ? { lists: looked() } : {}) } }); last = list; });
+    if (ready) untracked(() => { if (!lean || list !== last) gate.submit({ asked: performance.now(), revision: revision.value, body: { changes: list, full: false, ...(lean ? { lists: looked() } : {}) } }); last = list; });
     else untracked(() => { if (hasModel.value && errors.value[0]) failure.value = { what: 'The model has an error', where: errors.value[0].key || `line ${errors.value[0].line}`, why: errors.value[0].message }; });
   });
   effect(() => {

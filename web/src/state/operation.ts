@@ -36,8 +36,9 @@ export async function solveOperation(): Promise<void> {
   solving.value = true;
   progress.value = null;
   try {
+    const model = opened.value;
     const answer = await post<Answer>('operation');
-    if (answer.status === 'overtaken') return;
+    if (answer.status === 'overtaken' || model !== opened.value) return;
     if (answer.status === 'invalid') { say(answer.diagnostics.find((d) => d.severity === 'error')?.message ?? 'The model has errors'); return; }
     known = new Map();
     batch(() => { operation.value = answer; solving.value = false; progress.value = null; });

@@ -2,7 +2,7 @@
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { address, get, post } from '../api/client';
 import type { Check, Column, Envelopes, Impact, Lay, Run, RunSummary, Scene, Study } from '../api/types';
-import { isStudy, newerList } from '../logic/runs';
+import { isStudy, listedNames, newerList } from '../logic/runs';
 import { opened } from './model';
 import { say, sayError } from './notices';
 
@@ -37,7 +37,8 @@ export async function startRun(order: Order): Promise<void> {
   } catch (error) { sayError(error); }
 }
 
-export const runName = (run: Run): string => run.name || run.title || run.id;
+const names = computed(() => listedNames(runs.value));
+export const runName = (run: Run): string => names.value.get(run.id) ?? (run.name || run.title || run.id);
 
 let annotated: Promise<boolean> = Promise.resolve(true);
 
@@ -137,6 +138,7 @@ export function timeToFinish(run: Run): number | null {
 
 export const tableAddress = (id: string): string => address(`runs/${id}/table.csv`);
 export const reportAddress = (id: string): string => address(`runs/${id}/report.html`);
+export const reportToShow = (id: string): string => address(`runs/${id}/report.html?show=1`);
 
 /** Values of histories around one time, for the animation: a coarse whole that is fetched once. */
 export async function fetchSeries(id: string, names: string[], t0: number | null, t1: number | null, px: number): Promise<Record<string, { t: number[]; min: number[]; max: number[] }>> {

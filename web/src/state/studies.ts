@@ -3,6 +3,7 @@ import { effect, signal, untracked } from '@preact/signals';
 import { get, post } from '../api/client';
 import type { Matrix } from '../api/types';
 import type { StudyWish } from '../logic/studies';
+import { opened } from './model';
 import { sayError } from './notices';
 import { fetchRuns, select, selected } from './runs';
 
@@ -30,6 +31,8 @@ export async function startStudy(text: string): Promise<void> {
 /** Follows the study that is looked at. */
 export function startStudies(): void {
   let shown = '', timer = 0;
+  // another model has other keys
+  effect(() => { void opened.value; wish.value = null; });
   effect(() => {
     const run = selected.value?.kind === 'study' ? selected.value : null;
     const key = run ? `${run.id} ${run.state}` : '';

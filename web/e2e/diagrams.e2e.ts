@@ -1,0 +1,57 @@
+// Diagrams keep the stretch that is looked at when their results are refreshed.
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Page } from 'playwright-core';
+import { solved, start, type Bench } from './harness';
+
+let bench: Bench;
+let page: Page;
+beforeAll(async () => { bench = await start('bgl1-workable-sea.yaml'); page = await bench.open(); await solved(page); });
+afterAll(async () => { await bench?.stop(); });
+
+/** Ends of the x axis of a diagram, as its labels are computed from. */
+const ends = (slot: number): Promise<[number, number]> => page.evaluate((i) => (document.querySelectorAll('.slot .plot')[i] as unknown as { shown: () => [number, number] }).shown(), slot);
+
+async function zoom(slot: number): Promise<[number, number]> {
+  const box = (await page.locator('.slot .u-over').nth(slot).boundingBox())!;
+  await page.mouse.move(box.x + 0.3 * box.width, box.y + 0.5 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.5 * box.height, { steps: 5 });
+  await page.mouse.up();
+  await page.waitForTimeout(300);
+  return ends(slot);
+}
+
+test('while a value is dragged, and after it is applied', async () => {
+  const whole = await ends(0), near = await zoom(0);
+  expect(near[1] - near[0]).toBeLessThan(0.5 * (whole[1] - whole[0]));
+  await page.locator('#s-tension').evaluate((el) => { const input = el as HTMLInputElement; input.value = '300'; input.dispatchEvent(new Event('input', { bubbles: true })); });
+  await page.waitForTimeout(600);
+  expect(await ends(0)).toEqual(near);
+  await page.click('text=Apply to model');
+  await page.waitForTimeout(600);
+  expect(await ends(0)).toEqual(near);
+  await page.locator('.slot .u-over').first().dblclick();
+  await page.waitForTimeout(300);
+  const again = await ends(0);
+  expect(again[1] - again[0]).toBeGreaterThan(0.9 * (whole[1] - whole[0]));
+});
+
+test('of a run in time, also when more of it arrives', async () => {
+  await page.click('[aria-label=Undo]'); // its machine does not reach 300 kN
+  await page.click('#tab-runs');
+  await page.fill('#run-duration', '20 s');
+  await page.click('text=Start run');
+  await expect.poll(() => page.locator('.runlist').innerText(), { timeout: 60_000 }).toMatch(/done/);
+  await page.selectOption('[aria-label="Diagram 2"]', 'history:top_tension');
+  await page.waitForTimeout(1200);
+  const whole = await ends(1), near = await zoom(1);
+  expect(near[1] - near[0]).toBeLessThan(0.5 * (whole[1] - whole[0]));
+  await page.waitForTimeout(1500); // the stretch is fetched again, finer
+  expect(await ends(1)).toEqual(near);
+  await page.fill('[aria-label="Name of the run"]', 'looked at');
+  await page.keyboard.press('Enter');
+  await page.waitForTimeout(800);
+  expect(await ends(1)).toEqual(near);
+});
+
+test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

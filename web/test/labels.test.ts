@@ -1,0 +1,17 @@
+import { expect, test } from 'vitest';
+import { nameStep, upright } from '../src/logic/labelRoom';
+
+test('a name upright stands below the curves, else above them, else it is left out', () => {
+  const plot = { top: 10, bottom: 110 };
+  expect(upright(40, plot, null)).toBe('low');
+  expect(upright(40, plot, [20, 60])).toBe('low');
+  expect(upright(40, plot, [60, 105])).toBe('high');
+  expect(upright(40, plot, [30, 90])).toBeNull();
+  expect(upright(120, plot, null)).toBeNull();
+});
+
+test('names along an axis do not run into each other', () => {
+  expect(nameStep(['36', '38', '40'], 80, 5.6)).toBe(1);
+  const names = ['trapezoid', 'minimum_jerk', 'zero_vibration', 'trapezoid'];
+  expect(nameStep(names, 60, 5.6) * 60).toBeGreaterThan(5.6 * 'zero_vibration'.length);
+});
