@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { cell, columnsOf, firstOperation, partAt, stageLevel, stageName, whyNot } from '../src/logic/operation';
+import { firstOperation, hangingLength, type LaySize } from '../src/logic/firstOperation';
+import { cell, columnsOf, partAt, stageLevel, stageName, whyNot } from '../src/logic/operation';
 import { shape } from '../src/charts/data';
 import { firstItem } from '../src/logic/firstItems';
 import type { Lay, LineParts, Operation, OperationStage, StageValues } from '../src/api/types';
@@ -54,14 +55,35 @@ describe('the table of stages', () => {
 });
 
 describe('a first operation', () => {
-  const at = { depth: 89, joint: 12.2, tip: 85, touchdown: 420 };
-  const keys = (type: 'abandonment' | 'start_up' | 'move'): Record<string, unknown> => Object.fromEntries(firstOperation(type, at).map((c) => [c.path, c.value]));
-  test('of abandonment ends with more cable out than there is line to touchdown', () => {
-    expect(keys('abandonment')['operation.stages']).toEqual({ from: '26 m', to: '440 m', steps: 10, tension: 'hold' });
-    expect(keys('abandonment')['operation.cable']).toMatchObject({ breaking_load: '4200 kN' });
+  const at: LaySize = { joint: 12.2, tip: 85, touchdown: 420, tension: 300e3, bottomTension: 196e3, height: 6, depthAt: () => 89 };
+  const keys = (type: 'abandonment' | 'start_up' | 'move', lay = at): Record<string, Record<string, string>> => Object.fromEntries(firstOperation(type, lay).map((c) => [c.path.replace('operation.', ''), c.value])) as never;
+  const number = (text: string | undefined): number => Number.parseFloat(text ?? '');
+  test('hangs its cable as a catenary does', () => {
+    // H = 200 kN, 200 N/m: a = 1000 m; from the lowest point to 1000 m aside the cable is a sinh(1), its top is a (cosh(1) - 1) higher
+    const rise = 1000 * (Math.cosh(1) - 1), tension = 200e3 * Math.cosh(1);
+    expect(hangingLength(tension, rise, 200, 0)).toBeCloseTo(1000 * Math.sinh(1), 6);
+    // the part of it from 500 m aside on, where the vertical force is H sinh(0.5)
+    expect(hangingLength(tension, 1000 * (Math.cosh(1) - Math.cosh(0.5)), 200, 200e3 * Math.sinh(0.5))).toBeCloseTo(1000 * (Math.sinh(1) - Math.sinh(0.5)), 6);
   });
-  test('of start-up has an anchor on the bed', () => expect(keys('start_up')['operation.anchor']).toEqual({ depth: '89 m' }));
-  test('of a move goes a joint ahead', () => expect(keys('move')['operation.stages']).toMatchObject({ from: '0 m', to: '12 m' }));
+  test('of abandonment has the cable that the tension of the lay needs to reach the bed', () => {
+    const k = keys('abandonment'), weight = number(k.cable!.weight_submerged);
+    const least = hangingLength(300e3, 95, weight, 1e3 * number(k.head!.weight_submerged) / 2);
+    expect(number(k.stages!.to)).toBeGreaterThan(least);
+    expect(number(k.stages!.to)).toBeLessThan(1.1 * (85 + hangingLength(300e3, 95, weight, 0)));
+    expect(k.stages).toMatchObject({ steps: 10, tension: 'hold' });
+  });
+  test('has more cable in deeper water, also where the bed falls away behind touchdown', () => {
+    const to = (depthAt: (d: number) => number): number => number(keys('abandonment', { ...at, depthAt }).stages!.to);
+    expect(to(() => 200)).toBeGreaterThan(1.3 * to(() => 89));
+    expect(to((d) => 89 + 0.05 * Math.max(d - 420, 0))).toBeGreaterThan(1.1 * to(() => 89));
+  });
+  test.each([3e3, 300e3, 4000e3])('has a cable of three times the tension of %d N, and a head that this tension carries', (tension) => {
+    const k = keys('abandonment', { ...at, tension, bottomTension: 0.3 * tension });
+    expect(1e3 * number(k.cable!.breaking_load)).toBeGreaterThanOrEqual(2.99 * tension);
+    expect(1e3 * number(k.head!.weight_submerged)).toBeLessThanOrEqual(0.1 * tension);
+  });
+  test('of start-up has an anchor on the bed', () => expect(number(keys('start_up').anchor!.depth)).toBeCloseTo(89, 1));
+  test('of a move goes a joint ahead', () => expect(keys('move').stages).toMatchObject({ from: '0 m', to: '12 m' }));
   test('a stage added in the form is one of its operation', () => {
     expect(firstItem('operation.stages', 89, 'abandonment')).toEqual({ cable_out: '50 m' });
     expect(firstItem('operation.stages', 89, 'start_up')).toEqual({ pipe_out: '100 m' });

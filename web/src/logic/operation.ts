@@ -1,5 +1,5 @@
-// Operations on the line: the table of stages, what of a stage's line is pipe, head and cable, and a first operation.
-import type { Change, LineParts, Operation, OperationStage, StageValues } from '../api/types';
+// Operations on the line: the table of stages, and what of a stage's line is pipe, head and cable.
+import type { LineParts, Operation, OperationStage, StageValues } from '../api/types';
 
 export type PartName = 'pipe' | 'head' | 'cable';
 
@@ -65,24 +65,4 @@ export function whyNot(s: OperationStage): string {
   if (!f) return '';
   const least = f.least_tension === null ? '' : ` It can be with ${(f.least_tension / 1e3).toFixed(1)} kN or more at the top.`;
   return `${[f.what, f.where].filter(Boolean).join(', ')}${f.why ? `: ${f.why}` : ''}.${least}`.replace('..', '.');
-}
-
-export type FirstOperation = 'abandonment' | 'start_up' | 'move';
-
-/** What the model is like, as far as a first operation needs it [m]. */
-export interface LineSize { depth: number; joint: number; tip: number; touchdown: number }
-
-const metres = (v: number): string => `${Math.max(1, Math.round(v))} m`;
-const head = { length: '6 m', weight_in_air: '40 kN', weight_submerged: '33 kN' };
-const cable = { diameter: '76 mm', weight_in_air: '240 N/m', weight_submerged: '205 N/m', axial_stiffness: '2.7e5 kN', breaking_load: '4200 kN' };
-
-/** A first operation to be changed in the form: generated stages at the tension of the tensioner. `tip` and `touchdown` along the pipe from the tensioner. */
-export function firstOperation(type: FirstOperation, at: LineSize): Change[] {
-  const stages = (from: number, to: number, steps: number): unknown => ({ from: metres(from), to: metres(to), steps, tension: 'hold' });
-  const set = (key: string, value: unknown): Change => ({ path: `operation.${key}`, value });
-  if (type === 'move') return [set('type', type), set('stages', { from: '0 m', to: metres(at.joint), steps: 4, tension: 'hold' })];
-  if (type === 'start_up') {
-    return [set('type', type), set('head', head), set('cable', { ...cable, length: metres(2 * at.depth + 100) }), set('anchor', { depth: `${at.depth} m` }), set('stages', stages(at.tip + 10, at.touchdown, 6))];
-  }
-  return [set('type', type), set('head', head), set('cable', cable), set('stages', stages(0.3 * at.tip, at.touchdown + 20, 10))];
 }

@@ -1,13 +1,17 @@
 // The tab of the operation on the line: its stages in a table, and a first operation where there is none.
-import { cell, columnsOf, firstOperation, stageColours, stageLevel, stageName, whyNot, type FirstOperation } from '../logic/operation';
+import { bedHeight } from '../logic/bed';
+import { firstOperation, type FirstOperation, type LaySize } from '../logic/firstOperation';
+import { cell, columnsOf, stageColours, stageLevel, stageName, whyNot } from '../logic/operation';
 import { bullets } from '../logic/findings';
-import { calm } from '../state/live';
+import type { Converged, Scene } from '../api/types';
+import { calm, changes, failure, scene } from '../state/live';
 import { leftTab } from '../state/look';
-import { byPath, errors, setKeys } from '../state/model';
-import { sayError } from '../state/notices';
+import { byPath, errors, revision, setKeys } from '../state/model';
+import { say, sayError } from '../state/notices';
 import { address } from '../api/client';
 import { startRun } from '../state/runs';
 import { chooseStage, chosenStage, hasOperation, operation, outdated, progress, solveOperation, solving } from '../state/operation';
+import { ReportLinks } from './ReportLinks';
 import { Findings } from './Findings';
 
 const offers: [FirstOperation, string, string][] = [
@@ -16,12 +20,24 @@ const offers: [FirstOperation, string, string][] = [
   ['move', 'Move ahead', 'The barge moves ahead by a joint'],
 ];
 
+/** Null where the lay of the model as it is written is not solved: an operation cannot be sized then. */
+function laySize(lay: Converged | null, around: Scene | null): LaySize | null {
+  const { key, touchdown, pipe } = lay ?? {};
+  if (!lay || !around || !key || !touchdown || !pipe?.s.length || failure.value || changes.value.length || lay.revision !== revision.value) return null;
+  const [x, y] = [pipe.x[0]!, pipe.y[0]!], reach = Math.hypot(touchdown.place[0] - x, touchdown.place[1] - y) || 1;
+  const [ax, ay] = [(touchdown.place[0] - x) / reach, (touchdown.place[1] - y) / reach];
+  const boxes = lay.supports.filter((b) => b.structure === 'stinger');
+  return {
+    joint: byPath.value.get('pipe.joint.length')?.si ?? 12, touchdown: touchdown.s, tip: boxes.length ? Math.max(...boxes.map((b) => b.s)) : 0.1 * touchdown.s,
+    tension: key.top_tension, bottomTension: key.bottom_tension, height: pipe.z[0]!,
+    depthAt: (distance) => -bedHeight(around.seabed, x + ax * distance, y + ay * distance),
+  };
+}
+
 async function add(type: FirstOperation): Promise<void> {
-  const lay = calm.value, si = (key: string): number | undefined => byPath.value.get(key)?.si ?? undefined;
-  const touchdown = lay?.touchdown?.s ?? 300;
-  const boxes = lay?.supports.filter((b) => b.structure === 'stinger') ?? [];
-  const tip = boxes.length ? Math.max(...boxes.map((b) => b.s)) : 0.1 * touchdown;
-  try { await setKeys(firstOperation(type, { depth: si('environment.water_depth') ?? 100, joint: si('pipe.joint.length') ?? 12, tip, touchdown })); } catch (error) { sayError(error); }
+  const lay = laySize(calm.value, scene.value);
+  if (!lay) { say('No operation was added: it is sized by the lay of the model, which has no solution yet. Wait for the solution, correct the model, or apply or reset the values on the sliders.'); return; }
+  try { await setKeys(firstOperation(type, lay)); } catch (error) { sayError(error); }
 }
 
 function Offer() {
@@ -80,7 +96,7 @@ export function OperationTab() {
       <div class="acts">
         <button type="button" class="main" disabled={solving.value || errors.value.length > 0} onClick={() => void solveOperation()}>{o ? 'Solve again' : 'Solve all stages'}</button>
         <button type="button" onClick={() => { leftTab.value = 'form'; }}>Keys in the form</button>
-        {o ? <a class="button" href={address('operation/report.html')} download="operation.html" title="Report of all stages, with the procedure sheet that goes on board">Report</a> : null}
+        {o ? <ReportLinks file={address('operation/report.html')} show={address('operation/report.html?show=1')} name="operation.html" title="Report of all stages, with the procedure sheet that goes on board" /> : null}
         {o && chosenStage.value >= 0 ? <button type="button" disabled={!inTime} title={inTime ? 'A dynamic run of the stage that is shown, as the model\'s analysis.dynamic says' : 'The model has no analysis.dynamic'} onClick={() => { leftTab.value = 'runs'; void startRun({ kind: 'dynamic', stage: String(chosenStage.value + 1) }); }}>Into the sea</button> : null}
       </div>
       {solving.value ? <div class="solving" role="status"><div class="bar"><i style={{ width: `${p ? (100 * p.done) / p.of : 0}%` }} /></div><small>{p ? `${p.done} of ${p.of} stages: ${p.name}` : 'solving…'}</small></div> : null}
