@@ -82,7 +82,7 @@ test('warnings are short, named, without paths of this machine, and folded after
   expect(await box.innerText()).not.toContain('/home/me');
   await box.locator('text=3 more').click();
   expect(await box.locator('li').count()).toBe(6);
-  expect(await box.locator('li').last().innerText()).toBe('the pipe has left the box over the side to port');
+  expect(await box.locator('li').last().innerText()).toBe('the pipe has left the box over the side to port …');
   await page.context().close();
 });
 
