@@ -69,6 +69,22 @@ TEST(operability_command, finds_limits_and_writes_them) {
   EXPECT_EQ(scratch.read("out/operability.csv"), csv);
 }
 
+TEST(operability_command, a_dry_run_counts_limits_and_searches_not_cases) {
+  const Scratch scratch;
+  const auto dry = run_program("study " + anchor_study(scratch) + " --dry-run -o " + scratch.file("out"));
+  ASSERT_EQ(dry.code, 0) << dry.err;
+  EXPECT_NE(dry.out.find("2 limits to search (2 values of environment.water_depth), analysis: static"),
+            std::string::npos)
+      << dry.out;
+  EXPECT_NE(dry.out.find("every limit is one of 5 values of tensioner.tension from 280 kN to 320 kN"),
+            std::string::npos)
+      << dry.out;
+  // a bisection of five values tries three of them, statics without seeds
+  EXPECT_NE(dry.out.find("for some 6 analyses on"), std::string::npos) << dry.out;
+  EXPECT_EQ(dry.out.find("case"), std::string::npos) << dry.out;
+  EXPECT_FALSE(fs::exists(scratch.file("out")));
+}
+
 TEST(operability_command, rows_of_a_chart_run_on_slurm_are_resubmitted_and_gathered) {
   const Scratch scratch;
   write_slurm(scratch);

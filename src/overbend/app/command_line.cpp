@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -12,6 +11,8 @@
 #include "app/commands.h"
 #include "app/described_commands.h"
 #include "app/exit_code.h"
+#include "app/option_checks.h"
+#include "app/option_faults.h"
 #include "app/study_command.h"
 #include "base/interruption.h"
 #include "base/simd.h"
@@ -59,14 +60,6 @@ void add_seek(CLI::App& program, int& code) {
   command->callback([model, output, &code] { code = run_seek_command(*model, *output); });
 }
 
-/// A number of seconds, of those neither "nan" nor "inf", which CLI11 takes for numbers as well.
-std::string no_seconds(const std::string& text) {
-  double seconds = 0.0;
-  const bool is_number = CLI::detail::lexical_cast(text, seconds);
-  return is_number && std::isfinite(seconds) && seconds >= 0.0 ? ""
-                                                               : "found '" + text + "', expected seconds from 0 on";
-}
-
 /// Options common to dynamic runs; `what` works in threads.
 template <class Arguments>
 void add_run_options(CLI::App* command, Arguments& arguments, const std::string& what,
@@ -77,10 +70,10 @@ void add_run_options(CLI::App* command, Arguments& arguments, const std::string&
   command->add_flag("--restart", arguments.take_up.restart, "Discard an unfinished run and start again")
       ->excludes(resume);
   command->add_option("--checkpoint", arguments.checkpoint_every, "Seconds between checkpoints")
-      ->check(no_seconds, "SECONDS")
+      ->check(seconds())
       ->capture_default_str();
   command->add_option("--threads", arguments.threads, what + " run in parallel; default: one per core")
-      ->check(CLI::Range(1, 4096));
+      ->check(whole_number(1, 4096));
 }
 
 void add_dynamic(CLI::App& program, int& code) {
@@ -105,7 +98,7 @@ void add_compare(CLI::App& program, int& code) {
   command
       ->add_option("--of", arguments->of,
                    "tensioner: off, controlled, constant; contact: rollers, gap springs; impacts: resolved, captured")
-      ->check(CLI::IsMember(words_of<ComparisonOf>()));
+      ->check(one_of_words(words_of<ComparisonOf>()));
   command->add_option("-o,--output", arguments->output,
                       "Folder for the variants and the page; default: MODEL's name with .comparison, here");
   add_run_options(command, *arguments, "Variants", "Model file (YAML), with --of; or a folder of results");
@@ -115,12 +108,15 @@ void add_compare(CLI::App& program, int& code) {
 
 void add_slurm(CLI::App& command, StudyArguments& arguments) {
   command.add_option("--on", arguments.on, "Where the cases run: slurm submits a job array; default: here")
-      ->check(CLI::IsMember({"slurm"}));
+      ->check(one_of_words({"slurm"}));
   command.add_option("--partition", arguments.slurm.partition, "Slurm: partition; default: the cluster's");
   command.add_option("--time", arguments.slurm.time, "Slurm: time limit of a task; default: the partition's");
-  command.add_option("--cases-per-task", arguments.slurm.cases_per_task,
-                     "Slurm: cases that a task runs one after the other; default: such that there are 200 tasks");
-  command.add_option("--array-limit", arguments.slurm.array_limit, "Slurm: tasks at work at the same time");
+  command
+      .add_option("--cases-per-task", arguments.slurm.cases_per_task,
+                  "Slurm: cases that a task runs one after the other; default: such that there are 200 tasks")
+      ->check(whole_number(1, 1000000));
+  command.add_option("--array-limit", arguments.slurm.array_limit, "Slurm: tasks at work at the same time")
+      ->check(whole_number(1, 1000000));
   command.add_flag("--watch", arguments.watch, "Slurm: tell how far the study is until its tasks have ended");
   command.add_flag("--resubmit", arguments.resubmit, "Slurm: submit cases that failed or never finished once more");
 }
@@ -136,14 +132,15 @@ void add_study(CLI::App& program, int& code) {
   command->add_option("-o,--output", arguments->output,
                       "Folder for the study; default: STUDY's name with .study, here");
   command->add_option("--threads", arguments->threads, "Cases run in parallel; default: one per core")
-      ->check(CLI::Range(1, 4096));
+      ->check(whole_number(1, 4096));
   command->add_option("--checkpoint", arguments->checkpoint_every, "Seconds between checkpoints of a dynamic analysis")
-      ->check(no_seconds, "SECONDS")
+      ->check(seconds())
       ->capture_default_str();
   CLI::Option* dry = command->add_flag("--dry-run", arguments->dry_run,
                                        "List the cases and estimate the time from a few of them; writes nothing");
-  CLI::Option* only =
-      command->add_option("--case", arguments->only, "Run this case alone, with all its files")->excludes(dry);
+  CLI::Option* only = command->add_option("--case", arguments->only, "Run this case alone, with all its files")
+                          ->check(whole_number(0, 100000000))
+                          ->excludes(dry);
   command->add_flag("--retry-failed", arguments->retry_failed, "Run cases that failed before once more");
   CLI::Option* tasks = command
                            ->add_option("--tasks", arguments->tasks,
@@ -207,7 +204,7 @@ void add_serve(CLI::App& program, int& code) {
   auto arguments = std::make_shared<ServeArguments>();
   command->add_option("MODEL", arguments->model_file, "Model file (YAML) to open");
   command->add_option("--port", arguments->port, "Port on 127.0.0.1; default: any free port")
-      ->check(CLI::Range(1, 65535));
+      ->check(whole_number(1, 65535));
   command->add_option("--folder", arguments->folder,
                       "Folder of models and runs; default: that of MODEL, or the current one");
   command->add_flag("!--no-browser", arguments->browser, "Only print the address");
@@ -243,13 +240,13 @@ void add_new(CLI::App& program, int& code) {
   command->add_option("--coating", options->coating, "Thickness of the corrosion coating")->capture_default_str();
   command->add_option("--concrete", options->concrete, "Thickness of the concrete coating; default: none");
   command->add_option("--lay", options->lay, "s: over a stinger; j: directly from a tower")
-      ->check(CLI::IsMember({"s", "j"}))
+      ->check(one_of_words({"s", "j"}))
       ->capture_default_str();
   command->add_option("--vessel", options->vessel, "barge, BGL-1 or ship; default: chosen by depth")
-      ->check(CLI::IsMember({"barge", "BGL-1", "ship"}));
+      ->check(one_of_words({"barge", "BGL-1", "ship"}));
   command->add_option("--stinger-radius", options->stinger_radius, "Default: so that the overbend passes its checks");
   command->add_option("--boxes", options->boxes, "Roller boxes on the stinger; default: one every 5 m")
-      ->check(CLI::Range(1, 100));
+      ->check(whole_number(1, 100));
   command->add_option("--tension", options->tension, "Default: so that the sagbend passes its checks");
   command->add_option("--title", options->title, "Title of the report");
   command->add_option("-o,--output", options->output, "File to write; default: standard output");
@@ -269,7 +266,7 @@ void add_completion(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand(
       "completion", "Print the completion script of a shell (bash, zsh) or the manual page (man).");
   auto of = std::make_shared<std::string>();
-  command->add_option("FOR", *of, "What for")->required()->check(CLI::IsMember({"bash", "zsh", "man"}));
+  command->add_option("FOR", *of, "What for")->required()->check(one_of_words({"bash", "zsh", "man"}));
   command->callback([&program, of, &code] { code = print_completion(program, *of); });
 }
 
@@ -293,7 +290,6 @@ int run_command_line(int count, const char* const* words) {
   int code = kDone;
   program.set_version_flag("--version", std::string("overbend ") + kVersion);
   program.require_subcommand(1);
-  program.failure_message(CLI::FailureMessage::simple);
   add_check(program, code);
   add_static(program, code);
   add_seek(program, code);
@@ -324,7 +320,9 @@ int run_command_line(int count, const char* const* words) {
     if (!std::cout.flush()) throw FileFault("the output cannot be written");
     return code;
   } catch (const CLI::ParseError& fault) {
-    return program.exit(fault, std::cout, std::cerr) == 0 ? kDone : kWrongInput;
+    if (fault.get_exit_code() == 0) return program.exit(fault, std::cout, std::cerr);  // help and version
+    std::cerr << option_fault(program, {words + 1, static_cast<std::size_t>(count - 1)}, fault) << "\n";
+    return kWrongInput;
   } catch (const Interrupted&) {
     std::cerr << "overbend: interrupted\n";
     return kInterrupted;

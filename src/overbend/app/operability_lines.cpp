@@ -45,9 +45,24 @@ std::string trial_line(const OperabilityPlan& plan, const TrialTold& trial) {
   return line + fmt::format(" ({:.1f} s)\n", trial.wall_time);
 }
 
+std::string limits_to_search(const OperabilityPlan& plan) {
+  std::string axes;
+  for (const StudyInput& axis : plan.axes()) {
+    axes += fmt::format("{}{}{} of {}", axes.empty() ? " (" : " x ", axis.words.size(), axes.empty() ? " values" : "",
+                        axis.key);
+  }
+  const std::size_t cells = plan.cells(), seeds = plan.seeds().size();
+  const std::string with = seeds > 1 ? fmt::format(", {} seeds each: {} searches", seeds, cells * seeds) : "";
+  return fmt::format("{} limit{} to search{}{}{}", cells, cells == 1 ? "" : "s", axes, axes.empty() ? "" : ")", with);
+}
+
 std::string search_line(const OperabilityPlan& plan) {
-  return fmt::format("Limits of {} in {} cells, {} values with {} each\n", plan.over().key, plan.cells(),
-                     plan.values().size(), plan.seeds().size() > 1 ? "several seeds" : "one run");
+  const auto shown = [&](double value) {
+    const std::string& unit = plan.over().show;
+    return unit.empty() ? format_number(value, 4) : format_quantity(value, plan.over().unit, unit, 4);
+  };
+  return fmt::format("  every limit is one of {} values of {} from {} to {}\n", plan.values().size(), plan.over().key,
+                     shown(plan.values().front()), shown(plan.values().back()));
 }
 
 std::string operability_lines(const OperabilityResults& results) {

@@ -7,7 +7,10 @@
 
 namespace overbend {
 
-/// What is going to be searched, in one line.
+/// "12 limits to search (4 values of environment.waves.tp x 3 of environment.waves.from), 5 seeds each: 60 searches".
+std::string limits_to_search(const OperabilityPlan& plan);
+
+/// The values that are searched, in one line.
 std::string search_line(const OperabilityPlan& plan);
 
 /// An analysis of the search, in one line.

@@ -109,12 +109,13 @@ int run_alone(const CaseBase& base, const StudyCases& cases, const fs::path& fol
 /// First, middle and last case, one after the other into a folder that is thrown away; of dynamic analyses not longer
 /// than some seconds each.
 int dry_run(const CaseBase& base, const StudyCases& cases, int threads) {
-  std::cout << case_list(cases, base);
+  const bool searches = base.study().operability.has_value();
+  std::cout << (searches ? search_line(OperabilityPlan(base.study())) : case_list(cases, base)) << std::flush;
   const StudyProbe probe = probe_study(base, cases, [] { return Interruption::wanted(); });
   const std::size_t cores =
       threads > 0 ? static_cast<std::size_t>(threads) : std::max<std::size_t>(1, std::thread::hardware_concurrency());
-  const std::size_t at_once = std::min(cores, cases.count());
-  std::cout << probe_lines(probe, cases.count(), at_once);
+  std::cout << (searches ? search_probe_lines(probe, OperabilityPlan(base.study()), cores)
+                         : probe_lines(probe, cases.count(), std::min(cores, cases.count())));
   return kDone;
 }
 

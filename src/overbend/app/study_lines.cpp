@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -88,8 +89,9 @@ std::string verdict_counts(const StudyResults& results) {
 }  // namespace
 
 std::string study_head(const CaseBase& base, const StudyCases& cases) {
-  return fmt::format("{}\n  {}, analysis: {}\n", base.study().title, plural(cases.count(), "case"),
-                     word_of(base.study().analysis));
+  const std::string what =
+      base.study().operability ? limits_to_search(OperabilityPlan(base.study())) : plural(cases.count(), "case");
+  return fmt::format("{}\n  {}, analysis: {}\n", base.study().title, what, word_of(base.study().analysis));
 }
 
 std::string case_list(const StudyCases& cases, const CaseBase& base) {
@@ -115,6 +117,19 @@ std::string probe_lines(const StudyProbe& probe, std::size_t cases, std::size_t 
   const double whole = probe.before + probe.seconds * static_cast<double>(cases) / static_cast<double>(cores);
   return text + fmt::format("  about {:.3g} s for a case, {} for all on {}\n", probe.seconds, duration_text(whole),
                             plural(cores, "core"));
+}
+
+std::string search_probe_lines(const StudyProbe& probe, const OperabilityPlan& plan, std::size_t cores) {
+  std::string text;
+  for (const std::string& failure : probe.failures) text += "  " + failure + "\n";
+  if (probe.seconds <= 0.0) return text + "  no analysis of the probe has a solution: the time cannot be estimated\n";
+  const std::size_t analyses = plan.cells() * (plan.seeds().size() + std::bit_width(plan.values().size()));
+  const std::size_t at_once = std::min(cores, operability_chains(plan.grid()));
+  const double whole = probe.before + probe.seconds * static_cast<double>(analyses) / static_cast<double>(at_once);
+  return text + fmt::format(
+                    "  about {:.3g} s for an analysis, {} for some {} analyses on {}; it is less where checks are "
+                    "exceeded early\n",
+                    probe.seconds, duration_text(whole), analyses, plural(at_once, "core"));
 }
 
 std::string case_lines(const StudyCase& one, const std::vector<StudyInput>& inputs,

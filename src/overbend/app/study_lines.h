@@ -13,7 +13,7 @@
 
 namespace overbend {
 
-/// Title, and how many cases there are: said before anything runs.
+/// Title, and the number of cases, or of limits that are searched: printed before anything runs.
 std::string study_head(const CaseBase& base, const StudyCases& cases);
 
 /// The cases with their inputs, first and last where there are many.
@@ -21,6 +21,9 @@ std::string case_list(const StudyCases& cases, const CaseBase& base);
 
 /// What a probe says of the time that the whole study takes on so many cores.
 std::string probe_lines(const StudyProbe& probe, std::size_t cases, std::size_t cores);
+
+/// The same of a search for limits: a bisection of the values in every cell, and all seeds at its end.
+std::string search_probe_lines(const StudyProbe& probe, const OperabilityPlan& plan, std::size_t cores);
 
 /// One case with its results.
 std::string case_lines(const StudyCase& one, const std::vector<StudyInput>& inputs,

@@ -7,8 +7,10 @@
 #include <cctype>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "base/constants.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "model/section.h"
 
@@ -44,6 +46,16 @@ Said read_flag(const std::string& flag, const std::string& text, const std::stri
               format_quantity(high, si_unit, unit)};
 }
 
+/// "30 or 32": the sizes of API 5L on both sides of a number of inches that is none.
+std::string sizes_near(double inches) {
+  std::string below, above;
+  for (int size = 4; size <= 48 && above.empty(); size += 2) (size < inches ? below : above) = std::to_string(size);
+  return join_words(below.empty()   ? std::vector{above}
+                    : above.empty() ? std::vector{below}
+                                    : std::vector{below, above},
+                    "or");
+}
+
 /// "16" and "16 in" are nominal sizes; any other length is the outside diameter itself.
 Said read_pipe_size(const std::string& text) {
   const std::size_t unit_at = text.find_last_not_of(" in\"");
@@ -53,7 +65,9 @@ Said read_pipe_size(const std::string& text) {
     const auto diameter = number ? nominal_diameter(*number) : std::nullopt;
     if (diameter) return {diameter, {}};
     if (number) {
-      return {{}, "--pipe: found '" + text + "', expected a nominal size from 4 to 48 inches, or an outside diameter"};
+      return {{},
+              "--pipe: found '" + text + "', expected a nominal size [in], here " + sizes_near(*number) +
+                  ", or an outside diameter with its unit, such as '406.4 mm'"};
     }
   }
   return read_flag("--pipe", text, "m", 0.08, 1.6);
