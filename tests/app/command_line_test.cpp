@@ -4,6 +4,7 @@
 
 #include "app/program.h"
 #include "base/json.h"
+#include "model/fitted_circle.h"
 #include "modelfile/yaml_reader.h"
 
 namespace overbend {
@@ -31,6 +32,63 @@ TEST(command_line, wrong_usage_is_wrong_input) {
     EXPECT_EQ(run.out, "") << words;
     EXPECT_FALSE(run.err.empty()) << words;
   }
+}
+
+/// What the program says of words that it does not take.
+std::string said(const std::string& words) {
+  const ProgramRun run = run_program(words);
+  EXPECT_EQ(run.code, 2) << words;
+  EXPECT_EQ(run.out, "") << words;
+  EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
+  return run.err;
+}
+
+TEST(command_line, a_misspelt_option_is_named_with_the_one_that_was_meant) {
+  EXPECT_EQ(said("static --outpt x model.yaml"),
+            "overbend static: there is no option '--outpt'; did you mean '--output'?\n");
+  EXPECT_EQ(said("dynamic model.yaml --chekpoint=20"),
+            "overbend dynamic: there is no option '--chekpoint'; did you mean '--checkpoint'?\n");
+  EXPECT_EQ(said("static --stric"), "overbend static: there is no option '--stric'; did you mean '--strict'?\n");
+  EXPECT_NE(said("report -x results").find("there is no option '-x'; the options are -h"), std::string::npos);
+  EXPECT_EQ(said("--strict static model.yaml"),
+            "overbend: found '--strict' before the command 'static', expected options behind it\n");
+}
+
+TEST(command_line, a_value_that_an_option_does_not_take_is_named_with_those_that_it_does) {
+  EXPECT_EQ(said("new --vessel X --pipe 16 --depth '90 m'"),
+            "overbend new: --vessel: found 'X', expected barge, BGL-1 or ship\n");
+  EXPECT_EQ(said("new --vessel bgl1 --pipe 16 --depth '90 m'"),
+            "overbend new: --vessel: found 'bgl1', expected barge, BGL-1 or ship; did you mean 'BGL-1'?\n");
+  EXPECT_EQ(said("new --boxes 0"), "overbend new: --boxes: found '0', expected a whole number from 1 to 100\n");
+  EXPECT_EQ(said("dynamic m.yaml --threads 1.5"),
+            "overbend dynamic: --threads: found '1.5', expected a whole number from 1 to 4096\n");
+  EXPECT_EQ(said("dynamic m.yaml --checkpoint nan"),
+            "overbend dynamic: --checkpoint: found 'nan', expected seconds from 0 on, a number without unit\n");
+  EXPECT_EQ(said("study s.yaml --array-limit many"),
+            "overbend study: --array-limit: found 'many', expected a whole number from 1 to 1000000\n");
+  EXPECT_EQ(said("completion fish"), "overbend completion: FOR: found 'fish', expected bash, zsh or man\n");
+  EXPECT_EQ(said("static m.yaml --strict=maybe"), "overbend static: --strict: found 'maybe', expected no value\n");
+}
+
+TEST(command_line, words_too_few_too_many_or_at_odds_are_named) {
+  EXPECT_EQ(said("static"), "overbend static: MODEL is missing, expected: Model file (YAML)\n");
+  EXPECT_EQ(said("static a.yaml b.yaml"), "overbend static: found 'b.yaml', expected only MODEL\n");
+  EXPECT_EQ(said("licences now"), "overbend licences: found 'now', expected no words\n");
+  EXPECT_EQ(said("static m.yaml --stage").find("overbend static: --stage: the value is missing, expected: One stage"),
+            0U);
+  EXPECT_EQ(said("static m.yaml -o a -o b"), "overbend static: --output: found it 2 times, expected it once\n");
+  EXPECT_EQ(said("dynamic m.yaml --resume --restart").find("overbend dynamic: found --re"), 0U);
+  EXPECT_EQ(said("").find("overbend: the command is missing; the commands are check, "), 0U);
+  EXPECT_EQ(said("--fooo").find("overbend: there is no option '--fooo'; "), 0U);
+}
+
+TEST(command_line, a_size_between_those_of_api_5l_is_told_its_neighbours) {
+  EXPECT_EQ(
+      said("new --pipe 31 --depth '90 m'"),
+      "overbend new: --pipe: found '31', expected a nominal size [in], here 30 or 32, or an outside diameter with its "
+      "unit, such as '406.4 mm'\n");
+  EXPECT_NE(said("new --pipe 60 --depth '90 m'").find("here 48, or"), std::string::npos);
+  EXPECT_NE(said("new --pipe 2 --depth '90 m'").find("here 4, or"), std::string::npos);
 }
 
 TEST(command_line, an_instruction_set_that_nobody_knows_is_wrong_input) {
@@ -125,7 +183,12 @@ TEST(command_line, new_takes_what_it_is_told) {
   EXPECT_NEAR(d->pipe.section.steel.yield_stress, 448.159e6, 1e3);
   EXPECT_NEAR(d->pipe.section.coatings.at(1).thickness, 0.05, 1e-9);
   EXPECT_DOUBLE_EQ(d->tensioner.tension.value_or(0.0), 300e3);
-  EXPECT_DOUBLE_EQ(d->supports.stinger_radius.value_or(0.0), 150.0);
+  EXPECT_FALSE(d->supports.stinger_radius.has_value());
+  std::vector<Eigen::Vector2d> stinger;
+  for (const BoxDescription& box : d->supports.boxes) {
+    if (box.structure == Structure::stinger) stinger.emplace_back(box.x, box.z);
+  }
+  EXPECT_NEAR(fitted_radius(stinger).value_or(0.0), 150.0, 0.5);  // places to a millimetre
   EXPECT_EQ(std::count_if(d->supports.boxes.begin(), d->supports.boxes.end(),
                           [](const BoxDescription& box) { return box.structure == Structure::stinger; }),
             6);

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "base/constants.h"
+#include "model/fitted_circle.h"
 #include "model/supports.h"
 #include "modelfile/model_texts.h"
 #include "modelfile/yaml_reader.h"
@@ -100,7 +101,8 @@ TEST(box_row, without_a_first_box_continues_the_ramp_with_its_tangent) {
 TEST(box_row, of_the_ramp_begins_with_the_direction_of_the_tensioner_and_the_stinger_continues_it) {
   std::string text = with_stinger("    radius: 100 m\n    boxes: {count: 2, spacing: 5 m}\n");
   const std::size_t from = text.find("    boxes:\n      - {name: ramp 1"), to = text.find("  stinger:\n");
-  text.replace(from, to - from, "    boxes: {count: 4, spacing: 8 m, length: 3 m, first: {x: -39 m, z: 1.1 m}}\n");
+  text.replace(from, to - from,
+               "    radius: 150 m\n    boxes: {count: 4, spacing: 8 m, length: 3 m, first: {x: -39 m, z: 1.1 m}}\n");
   const ModelReading reading = read(text);
   for (const std::string& line : reading.diagnostics.lines(Severity::error)) ADD_FAILURE() << line;
   const std::vector<BoxDescription>& boxes = reading.description.value().supports.boxes;
@@ -121,6 +123,40 @@ TEST(box_row, needs_a_radius_and_room_below_the_vertical) {
                         "supports.stinger.boxes.first.x", "more than '-9 m'"));
   EXPECT_TRUE(complains("    radius: 150 m\n    rows: 2\n" + boxes, "supports.stinger.boxes.length", "2 rows"));
   EXPECT_TRUE(complains("    radius: 150 m\n    boxes: {spacing: 3.9 m}\n", "supports.stinger.boxes.count", "missing"));
+}
+
+TEST(box_row, or_a_list_with_a_radius_beside_it_is_one_error_at_the_radius) {
+  const std::string list = "    boxes:\n      - {x: 5 m, z: -4 m}\n      - {x: 9 m, z: -5 m}\n";
+  EXPECT_TRUE(read(with_stinger(list)).description);
+  const ModelReading reading = read(with_stinger("    radius: 500 m\n" + list));
+  EXPECT_FALSE(reading.description);
+  ASSERT_EQ(reading.diagnostics.lines(Severity::error).size(), 1U);
+  const Diagnostic fault = reading.diagnostics.sorted().front();
+  EXPECT_EQ(fault.key, "supports.stinger.radius");
+  EXPECT_NE(fault.found.find("'500 m' beside listed boxes"), std::string::npos) << fault.found;
+  EXPECT_NE(fault.hint.find("static.stinger_fitted_radius"), std::string::npos) << fault.hint;
+  EXPECT_TRUE(
+      complains("    radius: 500 m\n    hinge: {x: 3 m, z: -4 m}\n    sections:\n"
+                "      - {hinge: {x: 3 m, z: -4 m}, boxes: [{x: 5 m, z: -4 m}]}\n",
+                "supports.stinger.radius", "beside listed boxes"));
+}
+
+TEST(box_row, of_a_radius_has_this_radius_as_its_fitted_one_and_offsets_and_hinges_do_not_change_it) {
+  const std::string hinge = "    hinge: {x: 3 m, z: -4 m}\n    angle: 7 deg\n";
+  for (const std::string& stinger : {kRow, kRow + hinge}) {
+    const ModelReading reading = read(with_stinger(stinger));
+    ASSERT_TRUE(reading.description);
+    // coordinates of some 100 m have 14 digits after the sine, over an arc that is 0.6 m high
+    EXPECT_NEAR(fitted_radius(place_supports(*reading.description, 0.2), Structure::stinger).value_or(0.0), 150.0,
+                1e-7);
+  }
+  std::string list = "    boxes:\n";
+  for (const BoxDescription& box : stinger_boxes(kRow)) {
+    list += "      - {x: " + std::to_string(box.x) + " m, z: " + std::to_string(box.z) + " m, offset: 0.3 m}\n";
+  }
+  const ModelReading listed = read(with_stinger(list));
+  ASSERT_TRUE(listed.description);
+  EXPECT_NEAR(fitted_radius(place_supports(*listed.description, 0.2), Structure::stinger).value_or(0.0), 150.0, 1e-3);
 }
 
 TEST(box_row, has_the_digits_of_a_straight_line_on_a_huge_radius) {

@@ -66,7 +66,6 @@ rollers:
 
 supports:
   ramp:
-    radius: 150 m
     roller: v
     rows: 3
     boxes:

@@ -45,6 +45,13 @@ TEST(seek_keys, fill_bounds_and_conditions_in_si) {
   EXPECT_EQ(seek.until[0].value, 100e6);
 }
 
+TEST(seek_keys, do_not_take_the_radius_of_listed_boxes) {
+  const std::string line = complaint(
+      "  vary: {key: supports.stinger.radius, from: 100 m, to: 200 m}\n"
+      "  until: {result: static.lay_back, equals: 200 m}\n");
+  expect_words(line, {"seek.vary", "supports.stinger.radius' of listed boxes", "replace the list by a row of boxes"});
+}
+
 TEST(seek_keys, take_lists_patterns_plain_numbers_and_something_to_minimise) {
   const SeekDescription seek = seek_of(
       "  vary:\n"

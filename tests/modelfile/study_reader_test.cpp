@@ -75,6 +75,15 @@ TEST(study_reader, items_that_a_list_does_not_have_are_refused) {
   EXPECT_TRUE(has(line, "an item that the list has")) << line;
 }
 
+TEST(study_reader, the_radius_of_listed_boxes_is_no_key_to_vary) {
+  for (const char* structure : {"ramp", "stinger"}) {
+    const std::string key = std::string("supports.") + structure + ".radius";
+    const std::string line = error_of("axes:\n  - {key: " + key + ", values: [100 m, 150 m]}\n");
+    EXPECT_TRUE(has(line, "study.yaml:4: axes[0].key: found '" + key + "' of listed boxes")) << line;
+    EXPECT_TRUE(has(line, "replace the list by a row of boxes")) << line;
+  }
+}
+
 TEST(study_reader, axes_that_change_together_have_as_many_values) {
   const std::string line = error_of(
       "axes:\n"

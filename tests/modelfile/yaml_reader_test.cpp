@@ -99,7 +99,7 @@ TEST(yaml_reader, the_example_arrives_in_si) {
   EXPECT_EQ(d.supports.boxes[5].structure, Structure::stinger);
   EXPECT_DOUBLE_EQ(d.supports.boxes[12].offset, 0.412);
   EXPECT_EQ(d.supports.boxes[12].rows, 3);
-  EXPECT_DOUBLE_EQ(d.supports.stinger_radius.value_or(0.0), 150.0);
+  EXPECT_FALSE(d.supports.stinger_radius.has_value());
   ASSERT_TRUE(d.dynamics.has_value());
   EXPECT_DOUBLE_EQ(d.dynamics->duration, 10800.0);
   EXPECT_DOUBLE_EQ(d.dynamics->spectral_radius, 0.6);

@@ -5,7 +5,7 @@ import { LatestGate } from '../src/logic/gate';
 import { colourAt, niceRange } from '../src/logic/colour';
 import { decimate, indexBefore, nearest, resample } from '../src/logic/decimate';
 import { tube, tubeIndices } from '../src/logic/tube';
-import { fitCircle, withRadius } from '../src/logic/stinger';
+import { fitCircle, fittedRadius, withRadius } from '../src/logic/stinger';
 import { axisNames } from '../src/logic/show';
 import { elevation, surface } from '../src/logic/waves';
 import { check, completed, type Answers } from '../src/logic/start';
@@ -172,6 +172,13 @@ describe('stinger radius', () => {
     expect(c.radius).toBeCloseTo(300, 5);
     expect(c.slope).toBeCloseTo(0.2, 7);
     expect(wide[7]!.z).toBeGreaterThan(boxes[7]!.z);
+  });
+  test('the least squares of distances do not ask for the first box to lie on the circle', () => {
+    expect(fittedRadius(boxes)).toBeCloseTo(150, 5);
+    const off = boxes.map((b, i) => ({ x: b.x, z: b.z + (i === 0 ? 0.05 : 0) }));
+    expect(Math.abs(fittedRadius(off)! - 150)).toBeLessThan(Math.abs(fitCircle(off)!.radius - 150));
+    expect(fittedRadius([{ x: 0, z: 0 }, { x: 1, z: -1 }, { x: 2, z: -2 }])).toBeNull();
+    expect(fittedRadius([{ x: 0, z: 0 }, { x: 1, z: -1 }, { x: 2, z: 0 }])).toBeNull();
   });
   test('a straight or sagging row has no radius', () => {
     expect(withRadius([{ x: 0, z: 0 }, { x: 1, z: 0 }, { x: 2, z: 0 }], 2)).toBeNull();

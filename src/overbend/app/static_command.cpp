@@ -74,6 +74,7 @@ void print_results(const StaticResults& r) {
   if (r.bed) print_laid_pipe(*r.bed);
   if (r.residual_curvature > 0.0) number("residual curvature", r.residual_curvature, "1/m, at touchdown", 5);
   if (r.stinger_tip_clearance) number("stinger tip clearance", *r.stinger_tip_clearance, "m", 3);
+  if (r.stinger_fitted_radius) number("stinger radius, fitted", *r.stinger_fitted_radius, "m");
   if (!r.supports.empty()) {
     line("largest roller reaction",
          fmt::format("{:>12.2f} kN at {}", r.largest_reaction / 1e3, r.largest_reaction_support));

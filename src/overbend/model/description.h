@@ -199,7 +199,7 @@ enum class SupportContact { rollers, gap_springs };
 
 struct SupportsDescription {
   SupportContact contact = SupportContact::rollers;
-  std::optional<double> ramp_radius;     ///< For the record and the report; positions rule [m].
+  std::optional<double> ramp_radius;     ///< Of the arc that ramp_row stands on; none beside listed boxes [m].
   std::optional<double> stinger_radius;  ///< [m]
   std::vector<BoxDescription> boxes;     ///< From the tensioner astern: ramp boxes first, then the stinger's.
   std::optional<BoxRowDescription> ramp_row, stinger_row;  ///< Boxes told as a row; those in `boxes` are made from it.

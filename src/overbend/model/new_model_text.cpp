@@ -105,8 +105,9 @@ tensioner:                             # the pipe hangs directly from it: no sup
 
 std::string boxes_text(const NewModel& model, const char* name, double first, double last, int count) {
   const double spacing = count > 1 ? (last - first) / (count - 1) : 4.0;
-  std::string text = fmt::format("  {}:\n    radius: {}\n    roller: v\n    rows: 2\n    boxes:\n", name,
-                                 as_said(model.said.stinger_radius, model.stinger_radius, "m", "m"));
+  std::string text = fmt::format(
+      "  {}:                              # boxes on a circle of {}\n    roller: v\n    rows: 2\n    boxes:\n", name,
+      as_said(model.said.stinger_radius, model.stinger_radius, "m", "m"));
   for (int i = 0; i < count; ++i) {
     const double x = count > 1 ? first + i * spacing : last;
     text += fmt::format("      - {{name: {} {}, x: {:.3f} m, z: {:.3f} m, length: {:.3g} m}}\n", name, i + 1, x,

@@ -38,6 +38,7 @@ void move_roller(Roller& roller, const SectionMove& move) {
 
 void move_box(Supports& supports, SupportBox& box, const SectionMove& move) {
   box.point_S = move.point(box.point_S);
+  box.curve_S = move.point(box.curve_S);
   box.direction_S = turned_down(box.direction_S, move.angle);
   box.normal_S = turned_down(box.normal_S, move.angle);
   box.inclination += move.angle;

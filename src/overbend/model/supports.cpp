@@ -153,7 +153,8 @@ Supports place_supports(const Description& description, const std::function<doub
     box.direction_S = Vec3(std::cos(box.inclination), 0.0, -std::sin(box.inclination));
     box.normal_S = Vec3(std::sin(box.inclination), 0.0, std::cos(box.inclination));
     const Vec3 curve_normal_S(std::sin(curve[i]), 0.0, std::cos(curve[i]));
-    box.point_S = Vec3(given.x, 0.0, given.z) + given.offset * curve_normal_S;
+    box.curve_S = Vec3(given.x, 0.0, given.z);
+    box.point_S = box.curve_S + given.offset * curve_normal_S;
     box.first_row = static_cast<int>(supports.rows.size());
     const bool springs = description.supports.contact == SupportContact::gap_springs;
     box.row_count = springs ? 1 : given.rows;

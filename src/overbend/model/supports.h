@@ -56,6 +56,7 @@ struct SupportBox {
   std::string name;
   Structure structure = Structure::ramp;
   Vec3 point_S = Vec3::Zero();       ///< Middle of the box, offset included [m].
+  Vec3 curve_S = Vec3::Zero();       ///< The same without the offset: on the curve of the structure [m].
   Vec3 direction_S = Vec3::UnitX();  ///< Unit vector along the box, astern.
   Vec3 normal_S = Vec3::UnitZ();     ///< Unit outward (upward) normal.
   double inclination = 0.0;          ///< Positive dipping astern [rad].

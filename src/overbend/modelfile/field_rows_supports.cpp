@@ -143,10 +143,12 @@ std::vector<Field> structure(Structure which, std::optional<double> SupportsDesc
       {.path = p + ".radius",
        .member = taken_by<StructureKeys>(take_radius),
        .kind = FieldKind::quantity,
-       .text = "Radius of the arc of boxes told as a row; beside a list of boxes nominal, for the report.",
+       .text = "Radius of the arc that a row of boxes (boxes.count, boxes.spacing) stands on. Listed boxes have none: "
+               "they stand "
+               "by their coordinates, and the radius of the circle fitted to them is a result.",
        .unit = "m",
        .show = "m",
-       .fallback_text = "not given",
+       .fallback_text = "the boxes are listed",
        .range = {.low = 0.0, .low_open = true}},
       {.path = p + ".roller",
        .member = fills(&StructureKeys::roller),

@@ -2,6 +2,7 @@
 
 #include "base/name_parts.h"
 #include "base/text.h"
+#include "modelfile/box_row_checks.h"
 #include "modelfile/line_checks.h"
 #include "modelfile/model_checks.h"
 #include "modelfile/seek_values.h"
@@ -91,6 +92,13 @@ void check_variable(Checker& check, const FieldValue& variable) {
   if (of_operation(key->text)) {
     check.error(*key, key->shown, "a key that the lay itself has", kNoStages);
     return;
+  }
+  if (key->text == "supports.ramp.radius" || key->text == "supports.stinger.radius") {
+    const FieldValue* structure = check.root().find(key->text.substr(0, key->text.rfind('.')));
+    if (structure == nullptr || box_row_of(*structure) == nullptr) {
+      check.error(*key, key->shown + " of listed boxes", "the radius of a row of boxes", kVaryListedBoxes);
+      return;
+    }
   }
   std::vector<std::string> names;
   if (!has_items(check.root(), name_parts(key->text).value(), 0, names)) {

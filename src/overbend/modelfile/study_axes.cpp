@@ -9,6 +9,7 @@
 #include "base/name_parts.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "modelfile/box_row_checks.h"
 #include "modelfile/chosen_keys.h"
 #include "modelfile/field_table.h"
 #include "modelfile/scalar_row.h"
@@ -64,6 +65,19 @@ std::string range_value(double value, const std::string& unit, const Field& row)
   constexpr int kDigits = 12;
   return row.kind == FieldKind::quantity ? format_quantity(value, row.unit, unit, kDigits)
                                          : format_number(value, kDigits);
+}
+
+const YamlNode* member(const YamlNode* group, const std::string& key) {
+  if (group == nullptr) return nullptr;
+  const auto found = std::ranges::find(group->entries, key, &YamlEntry::key);
+  return found == group->entries.end() ? nullptr : &found->value;
+}
+
+/// The radius of a ramp or stinger whose boxes are no row on it.
+bool is_radius_of_listed_boxes(const YamlNode& model, const std::vector<NamePart>& key) {
+  if (key.size() != 3 || key[0].text != "supports" || key[2].text != "radius") return false;
+  const YamlNode* boxes = member(member(member(&model, "supports"), key[1].text), "boxes");
+  return boxes == nullptr || boxes->kind != YamlNode::Kind::map;
 }
 
 class AxisReader {
@@ -191,6 +205,10 @@ const Field* StudyKeys::take(Checker& check, const FieldValue& at, const std::st
   const auto parts = name_parts(key);
   if (row == nullptr || !parts) {
     check.error(at, "'" + for_display(key) + "'", "a key of the model file with a single value", nearest_key(key));
+    return nullptr;
+  }
+  if (is_radius_of_listed_boxes(model_, *parts)) {
+    check.error(at, "'" + key + "' of listed boxes", "the radius of a row of boxes", kVaryListedBoxes);
     return nullptr;
   }
   const std::vector<ChosenKey> chosen = chosen_keys(model_, *parts);

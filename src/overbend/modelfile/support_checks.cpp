@@ -103,6 +103,16 @@ void check_names(Checker& check) {
   }
 }
 
+/// Boxes are a row on an arc, or listed: then a radius would say what their coordinates do not.
+void check_radius(Checker& check, const FieldValue& structure) {
+  const FieldValue* radius = structure.find("radius");
+  if (radius == nullptr || boxes_of(structure).empty()) return;
+  check.error(*radius, "a radius of " + radius->shown + " beside listed boxes",
+              "no radius, or boxes as a row on it: boxes: {count, spacing, first}",
+              "listed boxes stand by their x and z alone: remove the key (static." + structure.key +
+                  "_fitted_radius of the results is the radius of the circle fitted to them), or replace the list");
+}
+
 std::vector<std::string> roller_kinds(const FieldValue& root) {
   std::vector<std::string> names;
   if (const FieldValue* rollers = root.find("rollers")) {
@@ -183,7 +193,10 @@ void check_supports(const FieldValue& root, const std::string& file, Diagnostics
   check_names(check);
   check_rollers(check);
   for (const auto& [structure, word] : kWords<Structure>) {
-    if (const FieldValue* group = root.find(path_of(structure))) check_box_row(check, *group);
+    const FieldValue* group = root.find(path_of(structure));
+    if (group == nullptr) continue;
+    check_radius(check, *group);
+    check_box_row(check, *group);
   }
   check_stinger(check);
   check_stinger_settings(check);

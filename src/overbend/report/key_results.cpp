@@ -80,6 +80,10 @@ std::vector<std::array<std::string, 3>> lay_quantities(const StaticResults& r) {
   if (r.stinger_tip_clearance) {
     row("Stinger tip clearance (negative: in contact)", fixed(*r.stinger_tip_clearance, 4), "m");
   }
+  if (r.ramp_fitted_radius) row("Ramp, radius of the circle fitted to its boxes", fixed(*r.ramp_fitted_radius, 1), "m");
+  if (r.stinger_fitted_radius) {
+    row("Stinger, radius of the circle fitted to its boxes", fixed(*r.stinger_fitted_radius, 1), "m");
+  }
   if (!r.supports.empty()) {
     row("Largest reaction of one roller, at " + r.largest_reaction_support, forces().text(r.largest_reaction, 2),
         forces().unit);

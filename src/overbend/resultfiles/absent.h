@@ -7,10 +7,11 @@
 namespace overbend {
 
 /// Whether a field or a history may have no value: distances to a roller, which a pipe that does not pass it has none
-/// of. `name` as in ResultField or HistoryColumn.
+/// of, and the circle through boxes that lie on none. `name` as in ResultField or HistoryColumn.
 inline bool may_be_absent(std::string_view name) {
   const std::string_view last = name.substr(name.rfind('/') + 1);
-  return last.find("separation") != std::string_view::npos || last.starts_with("stinger_tip_clearance");
+  return last.find("separation") != std::string_view::npos || last.starts_with("stinger_tip_clearance") ||
+         last.ends_with("fitted_radius");
 }
 
 /// The same of a dataset of results.h5. Mooring lines have no breaking load, holding power or object beside them unless

@@ -217,6 +217,8 @@ struct StaticResults {
   double departure_angle = 0.0;                 ///< At the last support in contact, or the tensioner in J-lay [rad].
   double top_inclination = 0.0;                 ///< At the tensioner, positive dipping astern [rad].
   std::optional<double> stinger_tip_clearance;  ///< Separation at the last row of the stinger [m].
+  std::optional<double> ramp_fitted_radius;     ///< Of the circle fitted to the boxes' coordinates [m].
+  std::optional<double> stinger_fitted_radius;  ///< [m]
   std::string last_support;                     ///< Name of the last support in contact; empty in J-lay.
   std::string largest_reaction_support;
   double largest_reaction = 0.0;     ///< Of a single roller [N].

@@ -26,6 +26,7 @@ StaticResults example_statics() {
   r.supports[0].has_sides = true;
   r.last_support = "stinger 1";
   r.stinger_tip_clearance = 0.0;
+  r.ramp_fitted_radius = r.stinger_fitted_radius = 0.0;
   r.moorings.emplace();
   return r;
 }

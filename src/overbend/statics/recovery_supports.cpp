@@ -9,6 +9,7 @@
 #include "base/constants.h"
 #include "mechanics/contact_damage.h"
 #include "model/box_dip.h"
+#include "model/fitted_circle.h"
 
 namespace overbend {
 namespace {
@@ -303,6 +304,8 @@ Departure recover_supports(StaticResults& results, const StaticSystem& system, c
   }
   to_port.note(results);
   to_starboard.note(results);
+  results.ramp_fitted_radius = fitted_radius(model.supports, Structure::ramp);
+  results.stinger_fitted_radius = fitted_radius(model.supports, Structure::stinger);
   note_extremes(results, system);
   return departure;
 }

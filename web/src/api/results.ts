@@ -19,6 +19,8 @@ export interface KeyResults {
   suspended_length: number;
   departure_angle: number;
   stinger_tip_clearance: number | null;
+  ramp_fitted_radius: number | null;
+  stinger_fitted_radius: number | null;
   largest_reaction: number;
   overbend: Region | null;
   tower: Region | null;

@@ -1,6 +1,6 @@
 // Sliders: which values of the model can be tried out, between which ends, and what to send for them.
 import { fromSi, tidy } from './units';
-import { fitCircle, withRadius, type Box } from './stinger';
+import { fittedRadius, withRadius, type Box } from './stinger';
 
 /** The part of a form field that is needed here. */
 export interface Known { path: string; si: number | null; value?: unknown; count?: number }
@@ -10,8 +10,7 @@ export interface LiveBox { key: string; name: string; index: number; path: strin
 export interface LiveBase {
   tension: number | null; // N
   depth: number | null; // m
-  radius: number | null; // m, nominal or fitted
-  hasRadius: boolean; // the model names a nominal radius
+  radius: number | null; // m, of a row; fitted to listed boxes
   row: boolean; // the stinger's boxes are told as a row, which follows from the radius
   trim: number; // rad
   current: number[]; // m/s by row
@@ -42,12 +41,10 @@ export function readBase(fields: Known[]): LiveBase {
     current.push(speed);
   }
   const stinger = boxes.filter((b) => b.structure === 'stinger');
-  const fitted = fitCircle(stinger);
-  const nominal = si('supports.stinger.radius');
   const row = si('supports.stinger.boxes.count') !== null;
   return {
     tension: si('tensioner.tension'), depth: si('environment.water_depth'),
-    radius: fitted ? nominal ?? fitted.radius : row ? nominal : null, hasRadius: nominal !== null, row,
+    radius: row ? si('supports.stinger.radius') : fittedRadius(stinger), row,
     trim: si('vessel.trim') ?? 0, current, boxes,
   };
 }
@@ -63,8 +60,8 @@ export function liveChanges(base: LiveBase, values: LiveValues): { path: string;
   if (current !== undefined) base.current.forEach((speed, i) => out.push({ path: `environment.current[${i}].speed`, value: `${tidy(speed * current, 5)} m/s` }));
 
   const stinger = base.boxes.filter((b) => b.structure === 'stinger');
-  const moved: Box[] | null = radius !== undefined && base.radius ? withRadius(stinger, radius / base.radius) : null;
-  if (radius !== undefined && (moved || base.row) && base.hasRadius) out.push({ path: 'supports.stinger.radius', value: metres(radius) });
+  const moved: Box[] | null = radius !== undefined && base.radius && !base.row ? withRadius(stinger, radius / base.radius) : null;
+  if (radius !== undefined && base.row) out.push({ path: 'supports.stinger.radius', value: metres(radius) });
   for (const box of base.boxes) {
     const raise = values[box.key] ?? 0;
     const on = moved && box.structure === 'stinger' ? moved[box.index]! : box;

@@ -97,6 +97,7 @@ function KeyValues({ k, boxes }: { k: KeyResults; boxes: boolean }) {
         <Value name="lay-back" value={k.lay_back} unit="m" result="static.lay_back" title="Horizontal distance from stern shoe to touchdown." />
         <Value name="departure angle" value={k.departure_angle} unit="deg" result="static.departure_angle" />
         <Value name="tip clearance" value={k.stinger_tip_clearance} unit="m" result="static.stinger_tip_clearance" title="Clearance of the pipe over the last stinger roller." />
+        <Value name="stinger radius" value={k.stinger_fitted_radius} unit="m" title="Of the circle fitted to the stinger's boxes, by least squares of their distances from it." />
         <Value name="largest reaction" value={boxes ? k.largest_reaction : null} unit="kN" result="static.largest_reaction.value" />
       </dl>
   );

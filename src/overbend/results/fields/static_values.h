@@ -47,6 +47,16 @@ void visit_lay(Results& r, Visit& visit) {
   visit(ResultField{"total_length", "m", "Unstressed length from tensioner to anchor"}.summary(), r.total_length);
   visit(ResultField{"stinger_tip_clearance", "m", "Separation at the last row of the stinger"}.summary().page(),
         r.stinger_tip_clearance);
+  visit(ResultField{"ramp_fitted_radius", "m",
+                    "Radius of the circle fitted to x and z of the ramp's boxes, offsets left out, by least squares of "
+                    "their distances from it"}
+            .summary()
+            .page(),
+        r.ramp_fitted_radius);
+  visit(ResultField{"stinger_fitted_radius", "m", "The same of the stinger's boxes, its sections as they are turned"}
+            .summary()
+            .page(),
+        r.stinger_fitted_radius);
   visit(ResultField{"last_support", "1", "Name of the last support in contact; empty in J-lay"}.summary().report(),
         r.last_support);
 }
