@@ -101,6 +101,19 @@ class Records(Sequence[Record]):
         """The names of the items, of those that have one."""
         return [item["name"] for item in self._items if "name" in item]
 
+    def to_dict(self) -> list[dict[str, Any]]:
+        """The groups as plain dicts."""
+        return [item.to_dict() for item in self._items]
+
+    def to_pandas(self) -> Any:
+        """A row for each group as a pandas.DataFrame: single values, those of groups within as "group.name".
+
+        `attrs['units']` has the SI unit of every column, `attrs['descriptions']` what it is.
+        """
+        columns: dict[str, tuple[str, str]] = {}
+        rows = [_flat(item, "", columns) for item in self._items]
+        return _frame({name: [row.get(name) for row in rows] for name in columns}, columns)
+
     def __repr__(self) -> str:
         return f"<{len(self)} groups" + (": " + ", ".join(self.names()) if self.names() else "") + ">"
 
@@ -189,10 +202,14 @@ class Table:
                               coords={self._names[0]: self.column(self._names[0])})
 
     def to_pandas(self) -> Any:
-        """The table as a pandas.DataFrame, its first column as the index."""
-        import pandas
+        """The table as a pandas.DataFrame, its first column as the index.
 
-        return pandas.DataFrame(self.to_dict()).set_index(self._names[0])
+        Values are SI, the columns in the order of the tables of text (pipe.csv, supports.csv, ...); `attrs['units']`
+        has the unit of every column and of the index, `attrs['descriptions']` what it is.
+        """
+        attrs = {name: self.column(name).attrs for name in self._names}
+        frame = _frame(self.to_dict(), {name: (told["units"], told["description"]) for name, told in attrs.items()})
+        return frame.set_index(self._names[0]) if self._names else frame
 
     def __repr__(self) -> str:
         lines = [f"<Table of {len(self)} rows>"]
@@ -237,6 +254,30 @@ def record_of(source: Any, group: str) -> Record:
     values = {name: labelled(one[0], name, vectors[:one[0].ndim], {}, *one[1:4]) if isinstance(one[0], np.ndarray) else one[0]
               for name, one in told.items()}
     return Record(values, {name: one[1] for name, one in told.items()}, {name: one[2] for name, one in told.items()})
+
+
+def _frame(columns: Mapping[str, Any], told: Mapping[str, tuple[str, str]]) -> Any:
+    """A pandas.DataFrame of columns, with unit and description of each as attributes."""
+    import pandas
+
+    frame = pandas.DataFrame(dict(columns))
+    frame.attrs["units"] = {name: unit for name, (unit, _) in told.items()}
+    frame.attrs["descriptions"] = {name: text for name, (_, text) in told.items()}
+    return frame
+
+
+def _flat(record: Record, before: str, told: dict[str, tuple[str, str]]) -> dict[str, Any]:
+    """The single values of a group and of the groups within, by their names; `told` takes units and descriptions."""
+    row: dict[str, Any] = {}
+    for name in record.keys():
+        value, path = record[name], before + name
+        if isinstance(value, Record):
+            row.update(_flat(value, path + ".", told))
+        elif isinstance(value, str) or not isinstance(value, (Sequence, np.ndarray)):
+            unit, text = record._units.get(name), record._descriptions.get(name)
+            told.setdefault(path, (unit if isinstance(unit, str) else "1", text if isinstance(text, str) else ""))
+            row[path] = _plain(value) if not isinstance(value, Number) else float(value)
+    return row
 
 
 def _plain(value: Any) -> Any:

@@ -65,6 +65,17 @@ def flow(value: Any, key: str = "") -> str:
     return scalar(value, key)
 
 
+def bound(value: Any, what: str, unit: str) -> str:
+    """A quantity as a text with its unit; a result (a Number) with that of its own.
+
+    Raises:
+        ModelError: For a number without a unit.
+    """
+    if isinstance(value, str) or (isinstance(value, Number) and value.units != "1"):
+        return scalar(value)
+    raise ModelError(f"{what}: found {value!r} without a unit, expected a text with its unit, such as '{value!r} {unit}'")
+
+
 def seeds_of(seeds: Iterable[Any]) -> list[int]:
     """Seeds of random waves, whole numbers that are not negative."""
     chosen = list(itertools.islice(seeds, MAX_SEEDS + 1))

@@ -12,6 +12,7 @@ from . import _core
 from .errors import ModelError
 from .findings import findings_of
 from .groups import Record, Table, table_of
+from .keys import bound
 from .values import labelled
 
 if TYPE_CHECKING:
@@ -106,6 +107,9 @@ def lay_table(model: "Model", vary: Optional[str], from_: Optional[str], to: Opt
     if step is not None and (steps is not None or from_ is None):
         raise ModelError("lay_table: step goes with from_ and to, and without steps")
     unit = "N" if (vary or "tension") == "tension" else "m"
+    usual = "kN" if unit == "N" else "m"
+    from_, to, step = (None if value is None else bound(value, f"lay_table: {name}", usual)
+                       for name, value in (("from_", from_), ("to", to), ("step", step)))
     if step is not None:
         steps = _whole_steps(str(from_), str(to), step, unit)
     range_ = f"{from_}..{to}" if from_ is not None else ""

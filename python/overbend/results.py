@@ -189,6 +189,22 @@ class Checks(Records):
         super().__init__(listed if isinstance(listed, Records) else [])
         self.worst: Optional[Record] = whole["worst"] if "worst" in whole else None
 
+    def to_pandas(self) -> Any:
+        """A row for each check as a pandas.DataFrame, columns in the order of checks.csv.
+
+        Values are SI: demand and capacity in the unit that the column `units` names, places [m], time [s]. `inputs` is
+        a text, as there.
+        """
+        frame = super().to_pandas()
+        places = [name for name in frame.columns if name.startswith("at.")]
+        frame = frame.rename(columns={name: name.removeprefix("at.") for name in places})
+        frame["inputs"] = ["; ".join(map(_input, check["inputs"])) if "inputs" in check else "" for check in self]
+        for table in (frame.attrs["units"], frame.attrs["descriptions"]):
+            for name in places:
+                table[name.removeprefix("at.")] = table.pop(name)
+        frame.attrs["units"]["inputs"], frame.attrs["descriptions"]["inputs"] = "1", "Numbers that the capacity follows from"
+        return frame
+
     @property
     def passed(self) -> bool:
         """Whether no governing check is exceeded."""
@@ -198,6 +214,11 @@ class Checks(Records):
     def exceeded(self) -> list[Record]:
         """The checks that are exceeded."""
         return [check for check in self if check["status"] == "exceeded"]
+
+
+def _input(one: Record) -> str:
+    """ "t1 = 0.0127 m" """
+    return f"{one['symbol']} = {one['value']:g} {one['units']}".removesuffix(" 1")
 
 
 class StaticResults(Results):

@@ -64,6 +64,14 @@ class LayTables(unittest.TestCase):
             with self.subTest(given), self.assertRaises(ob.ModelError):
                 small_lay().lay_table(**given)
 
+    def test_numbers_without_a_unit_are_refused_with_the_text_to_write(self):
+        with self.assertRaisesRegex(ob.ModelError, "lay_table: from_: found 200 without a unit.*'200 kN'"):
+            small_lay().lay_table("tension", from_=200, to="400 kN", steps=2)
+        with self.assertRaisesRegex(ob.ModelError, "lay_table: step: found 2.5 without a unit.*'2.5 m'"):
+            small_lay().lay_table("depth", from_="38 m", to="43 m", step=2.5)
+        given = small_lay().lay_table("tension", from_=ob.Number(300e3, "N"), to="320 kN", steps=1)
+        self.assertAlmostEqual(given.steps["tension"].values[0], 300e3)
+
     def test_files_and_progress(self):
         told = []
         table = small_lay().lay_table("tension", from_="280 kN", to="360 kN", steps=4,

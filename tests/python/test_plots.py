@@ -53,6 +53,18 @@ class StaticFigures(Drawing):
     def setUpClass(cls):
         cls.static = ob.Model.read(EXAMPLES / "bgl1.yaml").static()
 
+    def test_every_figure_has_the_title_of_the_model_above_its_own(self):
+        plot = self.static.plot
+        for ax in (plot.profile(), plot.tension(part="overbend"), plot.reactions(), plot.separation()):
+            self.assertEqual(ax.get_title(loc="left").split("\n")[0], self.static.title)
+            self.assertEqual(len(ax.get_title(loc="left").split("\n")), 2)
+
+    def test_a_title_of_a_model_is_shortened_in_narrow_axes(self):
+        long = ob.Model.read(EXAMPLES / "bgl1.yaml").with_(title="word " * 60).static()
+        first = long.plot.tension().get_title(loc="left").split("\n")[0]
+        self.assertLess(len(first), 150)
+        self.assertTrue(first.endswith(" ..."))
+
     def test_a_curve_has_the_values_of_the_table_over_the_distance_from_the_tensioner(self):
         line = longest_line(self.static.plot.along("bending_stress"))
         from_top = self.static.total_length - self.static.pipe.s.values

@@ -34,7 +34,8 @@ class Statics(unittest.TestCase):
         cls.folder = pathlib.Path(cls.holder.name, "bgl1")
         subprocess.run([PROGRAM, "static", str(BGL1), "-o", str(cls.folder)], check=True, capture_output=True)
         cls.told = summary_of(cls.folder)
-        cls.static = ob.Model.read(BGL1).static()
+        cls.static_model = ob.Model.read(BGL1)
+        cls.static = cls.static_model.static()
 
     @classmethod
     def tearDownClass(cls):
@@ -51,6 +52,55 @@ class Statics(unittest.TestCase):
         self.assertEqual(self.static.sagbend.max_bending_stress.units, "Pa")
         self.assertEqual(self.static.touchdown.x.units, "m")
         self.assertEqual(str(self.static.lay_back), str(float(self.static.lay_back)))
+
+    def test_tables_have_their_columns_in_the_order_of_the_tables_of_text(self):
+        heading = pathlib.Path(self.folder, "pipe.csv").read_text(encoding="utf-8").splitlines()[0].split(",")
+        shared = {"s [m]": "s", "x [m]": "x", "z [m]": "z", "tension [kN]": "effective_tension",
+                  "bending moment [kN m]": "bending_moment", "curvature [1/m]": "curvature",
+                  "bending stress [MPa]": "bending_stress", "von Mises stress [MPa]": "von_mises", "strain [%]": "strain",
+                  "inclination [deg]": "inclination", "wall tension [kN]": "wall_tension", "region": "region"}
+        expected = [shared[name] for name in heading if name in shared]
+        self.assertEqual(len(expected), len(shared))
+        for static in (self.static, ob.open(self.folder)):
+            self.assertEqual([name for name in static.pipe.keys() if name in shared.values()], expected)
+
+    def test_a_table_becomes_a_frame_with_units(self):
+        pandas = self.pandas()
+        frame = self.static.pipe.to_pandas()
+        self.assertIsInstance(frame, pandas.DataFrame)
+        self.assertEqual(list(frame.columns), self.static.pipe.keys()[1:])
+        self.assertEqual(frame.attrs["units"]["effective_tension"], "N")
+        self.assertEqual(frame.attrs["units"]["s"], "m")
+        self.assertIn("tension", frame.attrs["descriptions"]["effective_tension"].lower())
+        boxes = self.static.supports.to_pandas()
+        self.assertEqual(boxes.loc[boxes["name"] == "ramp 1", "reaction"].item(), self.static.supports["ramp 1"].reaction)
+
+    def test_checks_become_a_frame_in_the_order_of_their_table(self):
+        pandas = self.pandas()
+        frame = self.static.checks.to_pandas()
+        table = pandas.read_csv(pathlib.Path(self.folder, "checks.csv"))
+        names = {"check": "name", "reserve factor": "reserve", "from tensioner [m]": "from_top", "s [m]": "s", "x [m]": "x",
+                 "y [m]": "y", "z [m]": "z", "time [s]": "time"}
+        self.assertEqual([name for name in frame.columns if name != "id"], [names.get(name, name) for name in table.columns])
+        self.assertEqual(list(frame["name"]), list(table["check"]))
+        np.testing.assert_allclose(frame["utilisation"].astype(float), table["utilisation"], rtol=1e-9)
+        np.testing.assert_allclose(frame["x"].astype(float), table["x [m]"], rtol=1e-9)
+        self.assertEqual(frame.attrs["units"]["x"], "m")
+        self.assertEqual(frame["inputs"][0].split("=")[0], table["inputs"][0].split("=")[0])
+
+    def test_the_radius_of_a_listed_stinger_is_a_result_and_no_key(self):
+        first = ob.Model.read(ROOT / "examples" / "first-model.yaml").static()  # boxes on an arc of 150 m, to a centimetre
+        self.assertAlmostEqual(first.stinger_fitted_radius, 150.0, delta=3.0)
+        self.assertEqual(self.static.stinger_fitted_radius.units, "m")
+        with self.assertRaisesRegex(ob.ModelError, "supports.stinger.radius: .*beside listed boxes.*stinger_fitted_radius"):
+            self.static_model.with_(**{"supports.stinger.radius": "120 m"})
+
+    def pandas(self):
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        return pandas
 
     def test_the_pipe_is_a_table_over_its_arc_length(self):
         pipe = self.static.pipe

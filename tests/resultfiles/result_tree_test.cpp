@@ -67,6 +67,24 @@ TEST(result_tree, holds_what_the_file_of_the_same_results_holds) {
   }
 }
 
+TEST(result_tree, columns_come_as_they_were_written_in_memory_and_from_the_file) {
+  const TemporaryFolder folder;
+  const auto& lay = solved_case("J12-D400-T560");
+  Hdf5Writer writer(folder.path() / "results.h5");
+  ResultTree tree;
+  write_lay_group(writer, "/static", lay.results);
+  write_lay_group(tree, "/static", lay.results);
+  writer.close();
+  std::vector<std::string> held;
+  const std::string group = "/static/stations/";
+  for (const std::string& path : tree.order) {
+    if (path.starts_with(group)) held.push_back(path.substr(group.size()));
+  }
+  ASSERT_GT(held.size(), 10U);
+  EXPECT_FALSE(std::ranges::is_sorted(held));
+  EXPECT_EQ(Hdf5Reader(folder.path() / "results.h5").names(group), held);
+}
+
 TEST(result_tree, columns_know_what_they_stand_over) {
   ResultTree tree;
   const auto& lay = solved_case("J12-D400-T560");

@@ -56,7 +56,7 @@ class AlongPipe:
         else:
             draw.upright(self.ax, self.touchdown, "touchdown")
         where = "overbend" if self.overbend else "whole line"
-        draw.label(self.ax, f"{title}, {where}", draw.FROM_TENSIONER, y_label, self.lane)
+        draw.label(self.ax, f"{title}, {where}", draw.FROM_TENSIONER, y_label, self.lane, of=self.static.title)
         return self.ax
 
     def place(self, at: float) -> str:

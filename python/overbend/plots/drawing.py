@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
@@ -51,16 +52,19 @@ def size_of(ax: Axes) -> tuple[float, float]:
     return float(box.width * width), float(box.height * height)
 
 
-def label(ax: Axes, title: str, x: str, y: str, lane: float = 0.0) -> None:
+def label(ax: Axes, title: str, x: str, y: str, lane: float = 0.0, of: str = "") -> None:
     """Sets title and labels, and a legend of all that was drawn with a label, above the plot.
 
     Args:
+        of: title of the model, above that of the figure; shortened where the axes are narrow.
         lane: kept free between plot and title [pt].
     """
     ax.set_xlabel(x, color=SOFT)
     ax.set_ylabel(y, color=SOFT)
     rows = _legend(ax, title, lane)
-    ax.set_title(title, loc="left", fontsize="medium", fontweight="bold", color=INK, pad=6 + lane + 14 * rows)
+    room = max(20, int(72 * size_of(ax)[0] / 6.5))
+    lines = [textwrap.shorten(of, room, placeholder=" ...")] if of else []
+    ax.set_title("\n".join([*lines, title]), loc="left", fontsize="medium", fontweight="bold", color=INK, pad=6 + lane + 14 * rows)
 
 
 def _legend(ax: Axes, title: str, lane: float) -> int:

@@ -59,7 +59,7 @@ class DynamicPlots:
         ax.set_ylim(*draw.room(*draw.extent(*values), above=0.08, below=0.08))
         title = ", ".join(words_of(each) for each in histories)
         draw.label(ax, title, f"Time from the end of the build-up [{time_unit}]",
-                   with_unit("" if more else title, unit).strip())
+                   with_unit("" if more else title, unit).strip(), of=self._run.title)
         return ax
 
     def envelope(self, name: str, ax: Optional[Axes] = None, *, part: str = "whole") -> Axes:
@@ -106,7 +106,8 @@ class DynamicPlots:
         ax.set_ylim(0.0, 1.12 * float(density.max()) or 1.0)
         peak = frequency[density.argmax()]
         words = words_of(name) + (f", peak at {1 / peak:.1f} s" if peak > 0 else "")
-        draw.label(ax, words, "Frequency [Hz]", f"Spectral density [{unit or '1'}²/Hz]", lane=16)
+        draw.label(ax, words, "Frequency [Hz]", f"Spectral density [{unit or '1'}²/Hz]", lane=16,
+                   of=self._run.title)
         _periods(ax, float(frequency.max()))
         return ax
 
@@ -123,7 +124,7 @@ class DynamicPlots:
         hits = self._run.hardest_impacts if "hardest_impacts" in dir(self._run) else []
         ax = draw.axes(ax)
         if not hits:
-            draw.label(ax, "No impacts", labels[over], "Peak force [kN]")
+            draw.label(ax, "No impacts", labels[over], "Peak force [kN]", of=self._run.title)
             return ax
         force, x = 1e-3 * np.asarray(hits["peak_force"]), np.asarray(hits[over])
         rollers = self._run.rollers
@@ -136,7 +137,8 @@ class DynamicPlots:
         end = max(float(self._run.duration), float(x.max())) if over == "time" else 1.08 * float(x.max()) or 1.0
         ax.set_xlim(0.0, end)
         ax.set_ylim(0.0, 1.2 * float(force.max()))
-        draw.label(ax, f"Peak force of the {len(hits)} hardest impacts", labels[over], "Peak force [kN]")
+        draw.label(ax, f"Peak force of the {len(hits)} hardest impacts", labels[over], "Peak force [kN]",
+                   of=self._run.title)
         hardest = int(force.argmax())
         box = str(np.asarray(self._run.static.supports["name"])[int(np.asarray(rollers["box"])[at[hardest]])])
         draw.mark(ax, float(x[hardest]), float(force[hardest]), f"{force[hardest]:.1f} kN ({box}, {position[hardest]})",
@@ -168,7 +170,7 @@ class DynamicPlots:
         ax.set_ylim(0.0, draw.room(0.0, max(high.max(), static.max()) or 1.0)[1])
         slots.furnish(ax)
         draw.label(ax, f"{position.capitalize()} rollers", "Roller rows of each box, from the tensioner astern",
-                   "Reaction [kN]")
+                   "Reaction [kN]", of=self._run.title)
         most = int(high.argmax())
         draw.mark(ax, at[most], high[most], f"{high[most]:.1f} kN ({slots.names[box[most]]})", draw.DYNAMIC)
         return ax

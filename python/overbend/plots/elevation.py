@@ -34,7 +34,7 @@ def elevation(static: Any, ax: Optional[Any], overbend: bool) -> Any:
     ax.set_ylim(*up)
     ax.grid(False)
     title = "Elevation, overbend (heights enlarged)" if overbend else "Elevation, whole line (true to scale)"
-    draw.label(ax, title, X_LABEL, Z_LABEL)
+    draw.label(ax, title, X_LABEL, Z_LABEL, of=static.title)
     top = np.asarray(pipe["astern"])[-1], np.asarray(pipe["z"])[-1]
     draw.mark(ax, float(top[0]), float(top[1]), "tensioner")
     if overbend:

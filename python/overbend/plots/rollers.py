@@ -74,7 +74,8 @@ def _reactions(static: Any, ax: Any, slots: Slots, rows: np.ndarray, positions: 
         ax.bar(at, values[these], 0.72, below[rows[these]], color=colour, label=position, zorder=2)
         np.add.at(below, rows[these], values[these])
     ax.set_ylim(0.0, draw.room(0.0, float(below.max()) or 1.0)[1])
-    draw.label(ax, "Normal reactions", "Roller rows of each box, from the tensioner astern", "Reaction [kN]")
+    draw.label(ax, "Normal reactions", "Roller rows of each box, from the tensioner astern", "Reaction [kN]",
+               of=static.title)
     most = int(values.argmax())
     if values[most] > 0:
         name = slots.names[slots.box_of_row[rows[most]]]
@@ -96,4 +97,4 @@ def _separations(static: Any, ax: Any, slots: Slots, rows: np.ndarray, these: np
     ax.set_ylim(*draw.room(*draw.extent(values[~passed]), above=0.12, below=0.12, zero=True))
     least = f"; smallest {np.min(values[~passed]):.2f} mm" if not passed.all() else ""
     draw.label(ax, f"{position.capitalize()} rollers{least}", "Roller rows of each box, from the tensioner astern",
-               "Separation [mm]")
+               "Separation [mm]", of=static.title)

@@ -59,7 +59,7 @@ class StudyPlots:
             ax.plot([], [], "o", color=draw.INK, markerfacecolor="white", markersize=4.5, label="check exceeded")
         across.ticks(ax.xaxis)
         title = f"{grid.words} over {across.key}" + ("" if by is None else f", by {by}")
-        draw.label(ax, title, across.label, with_unit(y, grid.unit))
+        draw.label(ax, title, across.label, with_unit(y, grid.unit), of=self._study.title)
         return ax
 
     def map(self, result: str, ax: Optional[Axes] = None, *, x: Optional[str] = None, y: Optional[str] = None,
@@ -83,7 +83,7 @@ class StudyPlots:
         values = grid.over_seeds(grid.take([y, x], at), np.nanmean)
         ax = draw.axes(ax, (7.2, 4.2))
         draw_map(ax, grid.axis(x), grid.axis(y), values, with_unit(result, grid.unit), passed=grid.passed([y, x], at))
-        draw.label(ax, grid.words, grid.axis(x).label, grid.axis(y).label)
+        draw.label(ax, grid.words, grid.axis(x).label, grid.axis(y).label, of=self._study.title)
         return ax
 
     def scatter(self, x: str, y: str, ax: Optional[Axes] = None) -> Axes:
@@ -98,7 +98,7 @@ class StudyPlots:
             if np.isfinite(up[these]).any():
                 edge = draw.PIPE if these is good else draw.ACCENT
                 ax.plot(across[these], up[these], "o", color=edge, markerfacecolor=fill, markersize=4, label=words)
-        draw.label(ax, f"{y} over {x}", with_unit(x, units[0].unit), with_unit(y, units[1].unit))
+        draw.label(ax, f"{y} over {x}", with_unit(x, units[0].unit), with_unit(y, units[1].unit), of=self._study.title)
         return ax
 
     def operability(self, ax: Optional[Axes] = None) -> Axes:
@@ -122,12 +122,12 @@ class StudyPlots:
             ax.plot(axes[0].at, values, "o-", color=draw.PIPE, linewidth=1.6, markersize=4.5)
             ax.set_ylim(0.0, draw.room(*draw.extent(values), zero=True)[1])
             axes[0].ticks(ax.xaxis)
-            draw.label(ax, "Limits of operation", axes[0].label, words)
+            draw.label(ax, "Limits of operation", axes[0].label, words, of=self._study.title)
             return ax
         if len(axes) != 2:
             raise ValueError(f"operability: found {len(axes)} axes with several values, expected one or two")
         ax = draw.axes(ax, (7.2, 4.2))
         beyond = np.asarray(found.beyond, dtype=bool).reshape(values.shape)
         draw_map(ax, axes[1], axes[0], values, words, beyond=beyond)
-        draw.label(ax, "Limits of operation", axes[1].label, axes[0].label)
+        draw.label(ax, "Limits of operation", axes[1].label, axes[0].label, of=self._study.title)
         return ax

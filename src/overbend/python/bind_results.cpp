@@ -1,6 +1,8 @@
 // Trees of datasets in memory and files of results, which look alike from Python: names(group), dataset(path).
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include "base/utf8.h"
 #include "modelfile/yaml_edit.h"
 #include "python/bindings.h"
@@ -18,15 +20,16 @@ namespace {
 
 namespace py = pybind11;
 
-/// What stands directly in the group; groups end with '/'. The paths of the tree are in order.
+/// What stands directly in the group, in the order of the tables of text; groups end with '/'.
 std::vector<std::string> names_in(const ResultTree& tree, std::string group) {
   if (!group.ends_with('/')) group += '/';
   std::vector<std::string> names;
-  for (auto at = tree.datasets.lower_bound(group); at != tree.datasets.end() && at->first.starts_with(group); ++at) {
-    const std::string below = at->first.substr(group.size());
+  for (const std::string& path : tree.order) {
+    if (!path.starts_with(group)) continue;
+    const std::string below = path.substr(group.size());
     const std::size_t slash = below.find('/');
     const std::string name = slash == std::string::npos ? below : below.substr(0, slash + 1);
-    if (names.empty() || names.back() != name) names.push_back(name);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   return names;
 }

@@ -135,8 +135,10 @@ Hdf5Handle Hdf5Writer::dataset(const std::string& path) const {
 }
 
 void Hdf5Writer::group(const std::string& path, const std::string& description) {
-  Hdf5Handle group(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
-                   "group " + path + " cannot be made in results.h5");
+  const std::string what = "group " + path + " cannot be made in results.h5";
+  const Hdf5Handle ordered(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, what);
+  require(H5Pset_link_creation_order(ordered, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), what);
+  Hdf5Handle group(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, ordered, H5P_DEFAULT), H5Gclose, what);
   attribute(path, "description", description);
 }
 
@@ -388,6 +390,17 @@ std::string scale_of(hid_t set, unsigned dimension) {
 
 }  // namespace
 
+/// Links in the order in which they were made, where the group keeps it: files of older programs do not.
+H5_index_t index_of(const Hdf5Handle& file, const std::string& group) {
+  unsigned order = 0;
+  const hid_t found = H5Gopen2(file, group.c_str(), H5P_DEFAULT);
+  if (found < 0) return H5_INDEX_NAME;
+  const Hdf5Handle open(found, H5Gclose, group);
+  const Hdf5Handle made(H5Gget_create_plist(open), H5Pclose, group);
+  H5Pget_link_creation_order(made, &order);
+  return (order & H5P_CRT_ORDER_INDEXED) != 0 ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+}
+
 std::vector<std::string> Hdf5Reader::names(const std::string& group) const {
   const auto add = [](hid_t at, const char* name, const H5L_info_t*, void* list) {
     H5O_info_t info{};
@@ -397,8 +410,9 @@ std::vector<std::string> Hdf5Reader::names(const std::string& group) const {
     return herr_t{0};
   };
   std::vector<std::string> list;
-  require(H5Literate_by_name(file_, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &list, H5P_DEFAULT),
-          "the file '" + name_ + "' has no group " + group);
+  require(
+      H5Literate_by_name(file_, group.c_str(), index_of(file_, group), H5_ITER_INC, nullptr, add, &list, H5P_DEFAULT),
+      "the file '" + name_ + "' has no group " + group);
   return list;
 }
 

@@ -30,29 +30,33 @@ void ResultTree::attribute(const std::string& object, const std::string& name, c
   if (object == "/") attributes[name] = text;
 }
 
+void ResultTree::add(const std::string& path, Dataset dataset) {
+  if (datasets.insert_or_assign(path, std::move(dataset)).second) order.push_back(path);
+}
+
 void ResultTree::write(const std::string& path, const ResultField& field, const std::vector<double>& values,
                        const std::vector<Extent>& shape) {
-  datasets[path] = described(field, values, shape);
+  add(path, described(field, values, shape));
 }
 
 void ResultTree::write(const std::string& path, const ResultField& field, const std::vector<int>& values,
                        const std::vector<Extent>& shape) {
-  datasets[path] = described(field, counts(values), shape);
+  add(path, described(field, counts(values), shape));
 }
 
 void ResultTree::write(const std::string& path, const ResultField& field, const std::vector<std::int64_t>& values,
                        const std::vector<Extent>& shape) {
-  datasets[path] = described(field, values, shape);
+  add(path, described(field, values, shape));
 }
 
 void ResultTree::write(const std::string& path, const ResultField& field, const std::vector<std::uint64_t>& values,
                        const std::vector<Extent>& shape) {
-  datasets[path] = described(field, counts(values), shape);
+  add(path, described(field, counts(values), shape));
 }
 
 void ResultTree::write(const std::string& path, const ResultField& field, const std::vector<std::string>& values,
                        const std::vector<Extent>& shape) {
-  datasets[path] = described(field, values, shape);
+  add(path, described(field, values, shape));
 }
 
 void ResultTree::make_scale(const std::string& path, const std::string& /*name*/) {

@@ -29,7 +29,11 @@ class ResultTree final : public DatasetSink {
 
   std::map<std::string, std::string> groups;  ///< With their descriptions.
   std::map<std::string, Dataset> datasets;
+  std::vector<std::string> order;                 ///< Paths of the datasets as they came: that of the tables of text.
   std::map<std::string, std::string> attributes;  ///< Of the root.
+
+ private:
+  void add(const std::string& path, Dataset dataset);
 };
 
 }  // namespace overbend
