@@ -19,7 +19,8 @@ void check_box_row(Checker& check, const FieldValue& structure);
 
 /// What there is to do for who wants the radius of listed boxes to be another.
 inline constexpr const char* kVaryListedBoxes =
-    "listed boxes stand by their coordinates and have no radius: replace the list by a row of boxes on it, boxes: {count, "
+    "listed boxes stand by their coordinates and have no radius: replace the list by a row of boxes on it, boxes: "
+    "{count, "
     "spacing, first}, or vary the boxes' x and z";
 
 /// Settings have names of their own and an angle for each section; the one chosen is among them.
