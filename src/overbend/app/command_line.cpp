@@ -183,7 +183,9 @@ void add_report(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand("report", "Write report.html again from results.h5.");
   auto place = std::make_shared<std::string>();
   command->add_option("RESULTS", *place, "Folder of results, or its results.h5")->required();
-  command->callback([place, &code] { code = run_report(*place); });
+  auto pdf = std::make_shared<bool>(false);
+  command->add_flag("--pdf", *pdf, "Print it as report.pdf as well, with Chromium (or the browser OVERBEND_BROWSER)");
+  command->callback([place, pdf, &code] { code = run_report(*place, *pdf); });
 }
 
 void add_check_results(CLI::App& program, int& code) {

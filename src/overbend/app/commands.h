@@ -89,7 +89,7 @@ struct LayTableArguments {
 int run_lay_table(const LayTableArguments& arguments);
 
 /// Writes report.html beside a results.h5, given that file or its folder.
-int run_report(const std::string& place);
+int run_report(const std::string& place, bool pdf);
 
 struct CheckResultsArguments {
   std::string place;                 ///< A folder of results, or its results.h5.

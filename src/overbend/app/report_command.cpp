@@ -1,4 +1,5 @@
 #include "report/operation_report.h"
+#include "report/pdf.h"
 #include "report/report.h"
 
 #include <filesystem>
@@ -39,7 +40,7 @@ void write_again(const fs::path& h5, const fs::path& file) {
 
 }  // namespace
 
-int run_report(const std::string& place) {
+int run_report(const std::string& place, bool pdf) {
   const fs::path h5 = fs::is_directory(place) ? fs::path(place) / "results.h5" : fs::path(place);
   const fs::path file = h5.parent_path() / "report.html";
   try {
@@ -49,6 +50,15 @@ int run_report(const std::string& place) {
     return kWrongInput;
   }
   std::cout << "The report is " << file.string() << "\n";
+  if (!pdf) return kDone;
+  const fs::path printed = fs::path(file).replace_extension(".pdf");
+  try {
+    print_pdf(file, printed);
+  } catch (const PdfError& fault) {
+    std::cerr << "overbend: " << fault.what() << "\n";
+    return kInternalFault;
+  }
+  std::cout << "Printed as " << printed.string() << "\n";
   return kDone;
 }
 

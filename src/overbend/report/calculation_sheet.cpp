@@ -6,7 +6,7 @@
 
 #include "report/formula_text.h"
 #include "report/html.h"
-#include "report/verdict.h"
+#include "results/verdict.h"
 
 namespace overbend {
 

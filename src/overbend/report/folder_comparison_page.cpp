@@ -169,8 +169,8 @@ std::string folder_comparison_html(const FolderComparison& comparison) {
       {"Compared with", comparison.folders.front().name},
       {"Written", written_now()}};
   const std::string body = title_block("Comparison of results", subject(comparison), entries) +
-                           folders_section(comparison) + keys_section(comparison) + results_section(comparison) +
-                           figures(comparison) + findings_part(comparison);
+                           folders_section(comparison) + results_section(comparison) + findings_part(comparison) +
+                           figures(comparison) + keys_section(comparison);
   return overlay_frame(subject(comparison) + " - comparison", body, json_text({{"overlay", figures_json(comparison)}}));
 }
 

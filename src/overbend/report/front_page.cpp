@@ -105,8 +105,7 @@ std::string utilisation_card(const StaticResults& statics, const CheckTable& che
   }
   const std::vector<Utilisation> lines = line_bars(checks);
   bars.insert(bars.end(), lines.begin(), lines.end());
-  return card("Utilisation, governing check of each region", bars,
-              kCapacity + page.reach + " " + kBasisOfChecks);
+  return card("Utilisation, governing check of each region", bars, kCapacity + page.reach + " " + kBasisOfChecks);
 }
 
 std::string verdict_section(const Verdict& verdict, const std::string& utilisations) {
@@ -116,8 +115,15 @@ std::string verdict_section(const Verdict& verdict, const std::string& utilisati
       css_of(verdict.kind), escape(verdict.words), escape(verdict.because), utilisations);
 }
 
+/// "BGL-OB-001, rev. B"; empty where neither is given.
+std::string document_number(const ReportDescription& control) {
+  if (control.revision.empty()) return control.document;
+  return control.document + (control.document.empty() ? "" : ", ") + "rev. " + control.revision;
+}
+
 std::string laid_out(const FrontPage& page, const std::string& verdict, const std::string& rest) {
-  return "<div class=\"front\">\n" + title_block(page.kind, page.title, page.entries, control_box(page.control)) +
+  return "<div class=\"front\">\n" +
+         title_block(page.kind, page.title, page.entries, control_box(page.control), document_number(page.control)) +
          verdict + findings_section(page.findings) + contents(rest) + "</div>\n<div class=\"sections\">\n" + rest +
          "</div>\n";
 }

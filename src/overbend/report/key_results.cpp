@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <array>
 
 #include "report/html.h"
+#include "report/page.h"
 #include "report/places.h"
 #include "report/quantity.h"
 #include "report/sections.h"
@@ -129,9 +132,12 @@ std::string region_table(const StaticResults& results, const std::string& captio
 }  // namespace
 
 std::string title_block(const std::string& kind, const std::string& title,
-                        const std::vector<std::pair<std::string, std::string>>& entries, const std::string& control) {
-  return "<header>\n<div class=\"kind\">" + html::escape(kind) + "</div>\n<h1>" + html::escape(title) + "</h1>\n" +
-         control + html::entries(entries) + "</header>\n";
+                        const std::vector<std::pair<std::string, std::string>>& entries, const std::string& control,
+                        const std::string& document) {
+  const auto written = std::ranges::find(entries, "Written", &std::pair<std::string, std::string>::first);
+  const std::string when = written != entries.end() ? written->second : written_now();
+  return page_margins({document, title, kind, when}) + "<header>\n<div class=\"kind\">" + html::escape(kind) +
+         "</div>\n<h1>" + html::escape(title) + "</h1>\n" + control + html::entries(entries) + "</header>\n";
 }
 
 std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results) {

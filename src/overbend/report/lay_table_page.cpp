@@ -137,14 +137,25 @@ std::string figures() {
   return figure_section("figures", "Curves", figure_list(kFigures, always, number));
 }
 
+/// Vessel, pipe and depth of the model; nothing where the program can no longer read it.
+std::vector<std::pair<std::string, std::string>> model_entries(const std::string& model_text) {
+  const std::optional<Description> model = description_of(model_text);
+  if (!model) return {};
+  const SteelDescription& steel = model->pipe.section.steel;
+  return {{"Vessel", model->vessel.name},
+          {"Pipe", fmt::format("{} x {} mm steel", html::fixed(1e3 * steel.outside_diameter, 1),
+                               html::fixed(1e3 * steel.wall_thickness, 2))},
+          {"Water depth", html::fixed(model->environment.water_depth, 2) + " m"}};
+}
+
 }  // namespace
 
 std::string lay_table_html(const LayTable& table, const std::string& model_text) {
-  const std::vector<std::pair<std::string, std::string>> entries = {
-      {"Rows", std::to_string(table.rows.size())},
-      {"Status", status_words("completed", table.findings.size())},
-      {"Program", "Overbend " + table.version},
-      {"Written", written_now()}};
+  std::vector<std::pair<std::string, std::string>> entries = model_entries(model_text);
+  entries.insert(entries.end(), {{"Rows", std::to_string(table.rows.size())},
+                                 {"Status", status_words("completed", table.findings.size())},
+                                 {"Program", "Overbend " + table.version},
+                                 {"Written", written_now()}});
   const std::string body = title_block("Lay table", table.title, entries) + summary_section(table) +
                            findings_section(table.findings) + figures() + rows_section(table) +
                            assumptions_section(table.assumptions) + model_text_section(model_text);

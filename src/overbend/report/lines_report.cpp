@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/constants.h"
+#include "report/criteria_section.h"
 #include "report/front_of.h"
 #include "report/html.h"
 #include "report/line_data.h"
@@ -138,6 +139,7 @@ FrontPage lines_front(const LinesResults& results, const std::optional<Descripti
 std::string report_html(const LinesResults& results, const std::string& model_text) {
   const std::optional<Description> description = description_of(model_text);
   const std::string rest =
+      criteria_section(results.checks, description) +
       html::section("lines", "Lines", tiles(results) + figures(results) + line_table(results) + end_table(results)) +
       (description ? inputs_section(*description) : "") + assumptions_section(results.assumptions) +
       model_text_section(model_text);

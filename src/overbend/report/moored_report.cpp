@@ -1,6 +1,7 @@
 // The report of a hull on its mooring lines, without a pipe.
 #include <algorithm>
 
+#include "report/criteria_section.h"
 #include "report/dynamic_sections.h"
 #include "report/figure_list.h"
 #include "report/front_of.h"
@@ -70,8 +71,8 @@ std::string report_html(const MooringResults& results, const std::string& model_
   const std::optional<Description> description = description_of(model_text);
   int figure = 0;
   const std::string moorings = moorings_section(results, figure);  // before the next: figures are numbered on
-  const std::string rest = moorings + operation_section(results, figure) +
-                           (results.hull ? hull_section(*results.hull) : "") +
+  const std::string rest = criteria_section(results.checks, description) + moorings +
+                           operation_section(results, figure) + (results.hull ? hull_section(*results.hull) : "") +
                            (description ? inputs_section(*description) : "") +
                            assumptions_section(results.assumptions) + model_text_section(model_text);
   const FrontPage front = moored_front(results, description);
@@ -93,9 +94,11 @@ std::string moored_report_in_time(const StaticResults& statics, const DynamicRes
                               assumptions_section(together(rest.assumptions, results.assumptions)) +
                               dynamic_run_section(results) + model_text_section(model_text);
   const FrontPage front = front_in_time(statics, results, description);
-  return page_without_pipe(rest.title + " - dynamic mooring analysis",
-                           front_page(front, results.checks, moved + figures + statistics + before + closing),
-                           report_data(rest, &results, description));
+  return page_without_pipe(
+      rest.title + " - dynamic mooring analysis",
+      front_page(front, results.checks,
+                 criteria_section(results.checks, description) + moved + figures + statistics + before + closing),
+      report_data(rest, &results, description));
 }
 
 void write_report(const MooringResults& results, const std::string& model_text, const std::filesystem::path& file) {

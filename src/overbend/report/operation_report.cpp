@@ -108,11 +108,11 @@ std::string operation_report_html(const OperationResults& results, const std::st
                            assumptions_section(all_assumptions(results)) +
                            calculation_sheet_section(checks_of_stages(results)) + model_text_section(model_text);
   const FrontPage front = front_of_operation(results, description, lay);
-  return operation_page(results.title + " - " + operation_title(results.type),
-                        front_page(front, verdict_with_stage(results), operation_bars(results),
-                                   std::string("The mark on the bar is the full capacity. ") + kBasisOfChecks + " ",
-                                   rest),
-                        stages_data(results, description));
+  return operation_page(
+      results.title + " - " + operation_title(results.type),
+      front_page(front, verdict_with_stage(results), operation_bars(results),
+                 std::string("The mark on the bar is the full capacity. ") + kBasisOfChecks + " ", rest),
+      stages_data(results, description));
 }
 
 void write_operation_report(const OperationResults& results, const std::string& model_text,

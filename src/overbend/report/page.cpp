@@ -34,7 +34,27 @@ std::string page_of(const std::string& title, const std::string& body, const std
          "</body>\n</html>\n";
 }
 
+/// Text as a string of CSS within HTML.
+std::string css_string(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const bool plain = c != '"' && c != '\\' && c != '<' && c != '&' && static_cast<unsigned char>(c) >= 0x20;
+    out += plain ? std::string(1, c) : fmt::format("\\{:x} ", static_cast<unsigned char>(c));
+  }
+  return out + "\"";
+}
+
 }  // namespace
+
+std::string page_margins(const PageMargins& margins) {
+  constexpr const char* kLook = "font: 8pt Arial, \"Liberation Sans\", sans-serif; color: #5b6b7a;";
+  const auto box = [&](const char* place, const std::string& text) {
+    return fmt::format("@{} {{ content: {}; {} }} ", place, css_string(text), kLook);
+  };
+  return "<style>@page { " + box("top-left", margins.document.empty() ? margins.title : margins.document) +
+         box("top-right", margins.document.empty() ? margins.kind : margins.title) +
+         box("bottom-left", margins.kind + ", " + margins.written) + "}</style>\n";
+}
 
 std::string whole_page(const std::string& title, const std::string& body, const std::string& data) {
   return page_of(title, body,

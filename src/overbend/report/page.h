@@ -27,6 +27,13 @@ std::string study_frame(const std::string& title, const std::string& body, const
 /// Writes beside the file first and then renames. Throws std::runtime_error where that fails.
 void write_page(const std::string& page, const std::filesystem::path& file);
 
+/// What stands at the top and bottom of every printed page, plain text; a style element.
+struct PageMargins {
+  std::string document;  ///< "BGL-OB-001, rev. B"; may be empty.
+  std::string title, kind, written;
+};
+std::string page_margins(const PageMargins& margins);
+
 /// "2026-11-21 14:30 UTC"
 std::string written_now();
 

@@ -5,6 +5,7 @@
 
 #include "report/calculation_sheet.h"
 #include "report/checks_section.h"
+#include "report/criteria_section.h"
 #include "report/dynamic_sections.h"
 #include "report/fatigue_section.h"
 #include "report/figures.h"
@@ -66,10 +67,10 @@ std::string report_html(const StaticResults& results, const std::string& model_t
   const std::string moorings = moorings_part(results, figure);
   const std::string rest =
       sought + key_results(results, "results", "Key results") + lay_setting_section(results, description, nullptr) +
-      checks + figures + sensitivity + static_tables(results) + moorings + hull_part(results) +
-      inputs_section(results, description, nullptr) + assumptions_section(results.assumptions) +
-      rollers_section(results) + calculation_sheet_section(results.checks) + check_inputs_section(results.checks) +
-      balance_section(results) + model_text_section(model_text);
+      criteria_section(results.checks, description) + checks + figures + sensitivity + static_tables(results) +
+      moorings + hull_part(results) + inputs_section(results, description, nullptr) +
+      assumptions_section(results.assumptions) + rollers_section(results) + calculation_sheet_section(results.checks) +
+      check_inputs_section(results.checks) + balance_section(results) + model_text_section(model_text);
   FrontPage front = front_of("Static pipelay analysis", results.title, description, results.findings);
   front.reach = "Checks of the static state only: the effect of waves needs a dynamic analysis.";
   front.entries = subject_entries(results);
@@ -92,7 +93,8 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
   const std::string static_figures = figures_section(statics, "figures", "Figures of the static state", figure);
   const std::string moorings = moorings_part(statics, figure);
   const std::string dynamic = dynamic_key_results(statics, results) +
-                              lay_setting_section(statics, description, &results) + checks + figures + fatigue +
+                              lay_setting_section(statics, description, &results) +
+                              criteria_section(results.checks, description) + checks + figures + fatigue +
                               dynamic_statistics_section(statics, results) + dynamic_supports_section(results) +
                               impacts_section(statics, results) + tensioner_section(statics, results) + moored;
   const std::string before = key_results(statics, "static-results", "Initial static state") + static_figures +

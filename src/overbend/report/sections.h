@@ -11,10 +11,11 @@
 
 namespace overbend {
 
-/// Plain text, but for `control`: HTML of the document control, may be empty.
+/// Plain text, but for `control`: HTML of the document control, may be empty. `document` is its number and revision,
+/// for the margins of printed pages.
 std::string title_block(const std::string& kind, const std::string& title,
                         const std::vector<std::pair<std::string, std::string>>& entries,
-                        const std::string& control = "");
+                        const std::string& control = "", const std::string& document = "");
 /// Pipe, vessel and location, for the title block.
 std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results);
 /// "converged", or "converged, 2 findings": they are further down and must not be missed.
