@@ -59,6 +59,21 @@ void say_duration(CheckRow& row, double duration) {
                             row.remark.empty() ? "" : "; ", duration / 60.0);
 }
 
+/// The stinger tip begins at the last box that carries, which differs between lays: its rows say which box that is.
+void say_where_tip_begins(std::vector<CheckRow>& rows, const StaticResults& statics) {
+  const SupportResult* last = nullptr;
+  for (const SupportResult& box : statics.supports) {
+    if (box.reaction > 0.0) last = &box;
+  }
+  if (last == nullptr) return;
+  const bool more = last != &statics.supports.back();
+  for (CheckRow& row : rows) {
+    if (row.region != CheckRegion::tip || !row.judged()) continue;
+    row.remark += fmt::format("{}from '{}', the last box that carries{}", row.remark.empty() ? "" : "; ", last->name,
+                              more ? "; those behind it carry nothing" : "");
+  }
+}
+
 /// Of the pipe by the codes; none of a line that has none.
 std::vector<CheckRow> rows_of_pipe(const CheckStations& all, const CheckSettings& settings) {
   std::vector<CheckRow> rows;
@@ -74,6 +89,7 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
   const CheckSettings& settings = model.description.checks;
   CheckTable table;
   table.rows = rows_of_pipe(all, settings);
+  say_where_tip_begins(table.rows, statics);
   const auto pipe_rows = static_cast<std::ptrdiff_t>(table.rows.size());
   append(table.rows, equipment_rows(model, statics, dynamics));
   if (statics.moorings) append(table.rows, mooring_rows(model.description, *statics.moorings, dynamics));

@@ -35,6 +35,7 @@ struct LayTableValues {
   std::string largest_reaction_support;  ///< Box of that roller.
   std::optional<double> utilisation;     ///< Of the governing check that is used most; none where none is judged.
   std::string worst_check;               ///< Its name.
+  std::string tip;                       ///< Where it is of the stinger tip, from which box on.
   VerdictKind verdict = VerdictKind::not_judged;
 
   bool passed() const { return verdict == VerdictKind::passed; }
@@ -54,6 +55,7 @@ struct LayTableRow {
 /// Reason and serious findings in one text.
 inline std::string remark_of(const LayTableRow& row) {
   std::string remark = row.reason;
+  if (row.lay && !row.lay->tip.empty()) remark += (remark.empty() ? "" : "; ") + row.lay->tip;
   for (const Finding& finding : row.serious) remark += (remark.empty() ? "" : "; ") + finding.message;
   return remark;
 }

@@ -45,6 +45,7 @@ LayTableValues values_of(const StaticResults& r) {
   if (const CheckRow* worst = worst_check(r.checks)) {
     v.utilisation = worst->utilisation;
     v.worst_check = worst->name;
+    if (worst->region == CheckRegion::tip) v.tip = "stinger tip " + worst->remark;
   }
   v.verdict = verdict_kind(r.checks, r.findings);
   return v;
