@@ -1,4 +1,4 @@
-// What is read: names and limits in the diagrams, warnings in brief, and the page on small screens.
+// What is read: names and limits in the diagrams, findings in brief, and the page on small screens.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { difference, installed, picture, rested, solved, start, type Bench } from './harness';
@@ -65,7 +65,7 @@ for (const [fonts, name] of [['dejavu', 'from the tensioner [m]'], ['liberation'
   });
 }
 
-test('warnings are short, named, without paths of this machine, and folded after three', async () => {
+test('findings are short, named, without paths of this machine, and folded after three', async () => {
   const page = await bench.open({ width: 1280, height: 720 }, async (p) => {
     await p.context().route('**/api/static', async (route) => {
       const answer = await route.fetch();
@@ -77,12 +77,12 @@ test('warnings are short, named, without paths of this machine, and folded after
   await solved(page);
   const box = page.locator('.findings');
   expect(await box.locator('li').count()).toBe(3);
-  expect(await box.locator('li').first().innerText()).toMatch(/^stinger 8: the pipe runs off/);
+  expect(await box.locator('li').first().innerText()).toMatch(/^caution\s+stinger 8:\s+the pipe runs off/);
   expect(await box.innerText()).toContain('rao.csv: 3 headings');
   expect(await box.innerText()).not.toContain('/home/me');
   await box.locator('text=3 more').click();
   expect(await box.locator('li').count()).toBe(6);
-  expect(await box.locator('li').last().innerText()).toBe('the pipe has left the box over the side to port …');
+  expect(await box.locator('li').last().innerText()).toMatch(/^caution\s+the pipe has left the box over the side to port …$/);
   await page.context().close();
 });
 

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { carried, columnsFor, lineLevel, poseAt, sceneAt, sorted, stateOf } from '../src/logic/moorings';
+import { carried, columnsFor, largestOfRun, lineLevel, poseAt, sceneAt, sorted, stateOf } from '../src/logic/moorings';
 import { alongLine, around, ellipse, labelAt, outline, scaleLength, scatter } from '../src/logic/plan';
 import { firstItem, nextName } from '../src/logic/firstItems';
 import { lineNames, parseAngles, spreadChanges, spreadFaults, usualAngles, type SpreadWish } from '../src/logic/spread';
@@ -46,10 +46,17 @@ describe('the table of lines', () => {
   test('has no column that says nothing', () => expect(columnsFor(lines).map((c) => c.key)).not.toContain('clearance'));
   test('a line is judged by rope and anchor', () => {
     expect(lineLevel(line({}))).toBe('good');
-    expect(lineLevel(line({ anchor_utilisation: 0.9 }))).toBe('near');
-    expect(lineLevel(line({ utilisation: 1.01 }))).toBe('over');
+    expect(lineLevel(line({ anchor_utilisation: 0.6 }))).toBe('near');  // 1.5 times that
+    expect(lineLevel(line({ utilisation: 0.51 }))).toBe('over');  // at rest with a factor of 2
+    expect(lineLevel(line({ utilisation: 0.51 }), true)).toBe('good');  // in time with 1.67
     expect(lineLevel(line({ utilisation: null }))).toBe('unknown');
     expect(lineLevel(line({ parted: true }))).toBe('gone');
+  });
+  test('lines of a run have its largest tensions, the others those at rest', () => {
+    const spread = (max: number) => ({ min: 0, max, mean: 0, std: 0, slow: { min: 0, max: 0, mean: 0, std: 0 }, wave: { min: 0, max: 0, mean: 0, std: 0 }, most_probable_min: null, most_probable_max: null });
+    const [bow, stern] = largestOfRun([line({ name: 'bow', utilisation: 0.2 }), line({ name: 'stern', utilisation: 0.3 })], [{ name: 'bow', fairlead_tension: spread(700e3), anchor_tension: spread(600e3), utilisation: 0.5, parted_at: null, events: [] }]);
+    expect([bow!.fairlead_tension, bow!.anchor_tension, bow!.utilisation]).toEqual([700e3, 600e3, 0.5]);
+    expect(stern!.utilisation).toBe(0.3);
   });
   test('a stage that is no longer there shows the rest', () => {
     const m = { rest: { name: 'static' }, stages: [{ name: 'one' }] } as unknown as Moorings;

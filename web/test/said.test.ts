@@ -3,7 +3,7 @@ import { differences } from '../src/logic/differences';
 import { askedOfWaves, motionKind, motionValue } from '../src/logic/motion';
 import { bullet, bullets, keyName, withoutPaths, withoutPlace } from '../src/logic/findings';
 
-describe('warnings', () => {
+describe('findings', () => {
   const boxes = ['stinger 1', 'stinger 12', 'ramp 1'];
   test('no path of this machine is told', () => {
     expect(withoutPaths("'/home/me/models/data/rao.csv': 3 headings")).toBe("'rao.csv': 3 headings");
@@ -30,7 +30,11 @@ describe('warnings', () => {
     expect(withoutPlace('rao.yaml is read: 3 columns')).toBe('rao.yaml is read: 3 columns');
   });
   test('a word longer than a bullet is cut where it must be', () => expect(bullet('x'.repeat(200), []).short).toBe(`${'x'.repeat(96)} …`));
-  test('what is said twice is one bullet', () => expect(bullets(['warning: a', 'a', 'b'], [])).toHaveLength(2));
+  test('what is said twice is one bullet, and the serious ones come first', () => {
+    const finding = (message: string, severity: 'serious' | 'caution' | 'note') => ({ code: 'free-spans', severity, message });
+    const list = bullets([finding('a', 'note'), finding('a', 'note'), finding('b', 'caution'), finding('c', 'serious')], []);
+    expect(list.map((b) => `${b.severity} ${b.full}`)).toEqual(['serious c', 'caution b', 'note a']);
+  });
 });
 
 describe('two texts side by side', () => {

@@ -35,9 +35,9 @@ test('what cannot be asked for is said before it is sent', () => {
 });
 
 const one = (number: number, at: number[], value: number | null, more: Partial<MatrixCase> = {}): MatrixCase =>
-  ({ number, at, words: [], inputs: [], seed: null, state: value === null ? 'failed' : 'done', values: [value], passed: value !== null && value < 10, governing: '', utilisation: null, reason: '', ...more });
+  ({ number, at, words: [], inputs: [], seed: null, state: value === null ? 'failed' : 'done', values: [value], passed: value !== null && value < 10, verdict: value === null ? 'not judged' : value < 10 ? 'passed' : 'exceeded', obstacle: '', governing: '', utilisation: null, reason: '', ...more });
 const axis = (key: string, words: string[], more = {}) => ({ key, unit: '', with: '', sampled: false, words, values: words.map(Number), ...more });
-const matrix = (cases: MatrixCase[]): Matrix => ({ title: '', analysis: 'static', inputs: [axis('a', ['1', '2']), axis('b', ['1', '2', '3']), axis('c', ['1', '2'], { with: 'a' })], outputs: [{ name: 'x.max', unit: '' }], cases, operability: null, warnings: [] });
+const matrix = (cases: MatrixCase[]): Matrix => ({ title: '', analysis: 'static', inputs: [axis('a', ['1', '2']), axis('b', ['1', '2', '3']), axis('c', ['1', '2'], { with: 'a' })], outputs: [{ name: 'x.max', unit: '' }], cases, operability: null, findings: [] });
 
 test('cells lie where their values are, and tell of what failed', () => {
   const m = matrix([one(0, [0, 0, 0], 1), one(1, [0, 1, 0], 20), one(2, [0, 2, 0], null), one(3, [1, 0, 1], 4), one(4, [1, 1, 1], 5, { state: 'open' })]);
@@ -49,10 +49,10 @@ test('cells lie where their values are, and tell of what failed', () => {
   expect(tally(m)).toBe('5 cases: 2 pass, 1 exceed a check, 1 have no solution, 1 still to come');
 });
 
-test('no check is passed where none is made', () => {
-  const checked = { governing: 'Roller force' };
-  expect(tally(matrix([one(0, [0, 0, 0], 1), one(1, [0, 1, 0], null)]))).toBe('2 cases: 1 solved, without code checks, 1 have no solution');
-  expect(tally(matrix([one(0, [0, 0, 0], 1), one(1, [0, 1, 0], 1, checked)]))).toBe('2 cases: 2 pass');
+test('a case with a serious finding passes with reservations, one that nothing judges does not pass', () => {
+  const m = matrix([one(0, [0, 0, 0], 1, { verdict: 'reserved', passed: false, obstacle: 'pipe-off-rollers' }), one(1, [0, 1, 0], 1, { verdict: 'not judged', passed: false }), one(2, [0, 2, 0], 1)]);
+  expect(tally(m)).toBe('3 cases: 1 pass, 1 pass with reservations, 1 solved, not judged');
+  expect(cellsOver(m, [0, 1], {}, 0).map((row) => row[0]!.state)).toEqual(['reserved', 'not judged', 'passed']);
 });
 
 test('of several seeds the one farther out counts', () => {

@@ -133,7 +133,7 @@ export type MotionName = 'surge' | 'sway' | 'heave' | 'roll' | 'pitch' | 'yaw';
 export type VesselInTime = Record<MotionName, MotionSpread> & { confidence: string };
 
 export interface MooringInTime {
-  name: string; fairlead_tension: MotionSpread; anchor_tension: MotionSpread; utilisation: number | null; parted_at: number | null;
+  name: string; fairlead_tension: MotionSpread; anchor_tension: MotionSpread; utilisation: number | null; anchor_utilisation?: number | null; parted_at: number | null;
   events: { time: number; what: string }[];
 }
 

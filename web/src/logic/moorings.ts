@@ -1,5 +1,5 @@
 // Hull and mooring lines at rest: where the hull lies, what colour a line has, the table of lines.
-import type { Lay, MooredState, MooringLine, Moorings, Scene, Vector, VesselOffset } from '../api/types';
+import type { Lay, MooredState, MooringLine, Moorings, Scene, Vector, VesselOffset, MooringInTime } from '../api/types';
 
 /** Pose of the hull that lies `at` from the place in which it is drawn: twelve numbers, as in a scene. */
 export function poseAt(drawn: readonly number[], at: VesselOffset): number[] {
@@ -47,12 +47,24 @@ export const stateOf = (m: Moorings, stage: number): MooredState => m.stages[sta
 
 export type LineLevel = 'good' | 'near' | 'over' | 'unknown' | 'gone';
 
-/** By tension over breaking load; what is usual as largest in service: 1/1.67 intact (DNV-OS-E301, API RP 2SK). */
-export function lineLevel(line: MooringLine): LineLevel {
+/** Usual safety factors of an intact spread: at rest and in time (API RP 2SK), of a drag anchor (assumed). The checks have the model's own. */
+const usualFactors = { rest: 2, inTime: 1.67, anchor: 1.5 };
+
+/** By tension over breaking load with the usual safety factor; `inTime`: the largest of a run. */
+export function lineLevel(line: MooringLine, inTime = false): LineLevel {
   if (line.parted) return 'gone';
-  const used = Math.max(line.utilisation ?? 0, line.anchor_utilisation ?? 0);
   if (line.utilisation === null && line.anchor_utilisation === null) return 'unknown';
-  return used > 1 ? 'over' : used > 0.6 ? 'near' : 'good';
+  const factor = inTime ? usualFactors.inTime : usualFactors.rest;
+  const used = Math.max(factor * (line.utilisation ?? 0), usualFactors.anchor * (line.anchor_utilisation ?? 0));
+  return used > 1 ? 'over' : used > 0.87 ? 'near' : 'good';
+}
+
+/** The lines with the largest tensions of a run in place of those at rest. */
+export function largestOfRun(lines: readonly MooringLine[], inTime: readonly MooringInTime[]): MooringLine[] {
+  return lines.map((line) => {
+    const run = inTime.find((m) => m.name === line.name);
+    return run ? { ...line, fairlead_tension: run.fairlead_tension.max, anchor_tension: run.anchor_tension.max, utilisation: run.utilisation, anchor_utilisation: run.anchor_utilisation ?? null } : line;
+  });
 }
 
 export const levelColours: Record<LineLevel, string> = { good: '#2e9e57', near: '#e08a00', over: '#c3271b', unknown: '#5b6b7a', gone: '#a0a8b0' };

@@ -6,7 +6,7 @@ import { display } from '../logic/show';
 import { tidy, twin } from '../logic/units';
 import { failure } from '../state/live';
 import { picked } from '../state/look';
-import { calmState, chosenLine, planShown, stage } from '../state/moorings';
+import { calmState, chosenLine, linesOfRun, planShown, stage } from '../state/moorings';
 import { calmLay, ofRun } from '../state/shown';
 import { MooringsInTime } from './MooringsInTime';
 
@@ -43,7 +43,7 @@ function Heads({ columns }: { columns: Column[] }) {
 }
 
 /** The lines of the state shown; `wide`: every column that says something. */
-export function MooringTable({ lines, wide }: { lines: readonly MooringLine[]; wide?: boolean }) {
+export function MooringTable({ lines, wide, inTime }: { lines: readonly MooringLine[]; wide?: boolean; inTime?: boolean }) {
   const all = columnsFor(lines);
   const columns = wide ? all : all.filter((c) => ['fairlead_tension', 'utilisation', 'on_bed'].includes(c.key));
   return (
@@ -51,8 +51,8 @@ export function MooringTable({ lines, wide }: { lines: readonly MooringLine[]; w
       <Heads columns={columns} />
       <tbody>
         {sorted(lines, order.value.by, order.value.down).map((l) => (
-          <tr key={l.name} class={`${lineLevel(l)}${chosenLine.value === l.name ? ' chosen' : ''}`}>
-            <th scope="row"><button type="button" class="linkname" aria-pressed={chosenLine.value === l.name} title={l.parted ? 'Parted' : l.slack ? 'Slack' : 'Show this line'} onClick={() => choose(l.name)}><i style={{ background: levelColours[lineLevel(l)] }} />{l.name}</button></th>
+          <tr key={l.name} class={`${lineLevel(l, inTime)}${chosenLine.value === l.name ? ' chosen' : ''}`}>
+            <th scope="row"><button type="button" class="linkname" aria-pressed={chosenLine.value === l.name} title={l.parted ? 'Parted' : l.slack ? 'Slack' : 'Show this line'} onClick={() => choose(l.name)}><i style={{ background: levelColours[lineLevel(l, inTime)] }} />{l.name}</button></th>
             {columns.map((c) => <td key={c.key} title={inWords(l, c)}>{value(l, c)}</td>)}
           </tr>
         ))}
@@ -101,7 +101,8 @@ export function MooringResults() {
     <section class={`moored${failure.value && !ofRun.value ? ' old' : ''}`} aria-label={name}>
       <h3>{name} <button type="button" class="link" onClick={() => { planShown.value = !planShown.value; }}>{planShown.value ? '3-D view' : 'plan'}</button></h3>
       <StageChoice />
-      {lines ? <MooringTable lines={state.moorings} /> : null}
+      {lines ? <MooringTable lines={linesOfRun.value ?? state.moorings} inTime={linesOfRun.value !== null} /> : null}
+      {linesOfRun.value ? <p class="brief">Tensions: largest of the run. Other columns: at rest.</p> : null}
       <Offsets of={state.vessel} />
       <Periods of={state.vessel} on={lines ? 'on the lines' : 'as it is positioned'} />
       <MooringsInTime />

@@ -5,7 +5,7 @@ import { levelColours, lineLevel, poseAt, sceneAt } from '../logic/moorings';
 import { alongLine, around, ellipse, flat, labelAt, outline, pipeTrack, scaleLength } from '../logic/plan';
 import { tidy } from '../logic/units';
 import { download } from '../charts/chart';
-import { calmState, chosenLine, stage } from '../state/moorings';
+import { calmState, chosenLine, linesOfRun, stage } from '../state/moorings';
 import { offsetsInTime, type OffsetsInTime } from '../state/offsets';
 import { calmLay, shownDrawn, shownScene } from '../state/shown';
 import { MooringTable, StageChoice } from './Moorings';
@@ -24,8 +24,9 @@ function screenFor(points: [number, number][], width: number, height: number, le
 
 const path = (points: readonly (readonly [number, number])[], on: Screen): string => points.map(([x, y], i) => `${i ? 'L' : 'M'}${on.x(x).toFixed(1)} ${on.y(y).toFixed(1)}`).join('');
 
-function Line({ line, on, chosen }: { line: MooringLine; on: Screen; chosen: boolean }) {
-  const colour = levelColours[lineLevel(line)];
+function Line({ line, on, chosen, inTime }: { line: MooringLine; on: Screen; chosen: boolean; inTime: boolean }) {
+  const colour = levelColours[lineLevel(line, inTime)];
+  const load = `${inTime ? 'max ' : ''}${tidy(line.fairlead_tension / 1e3, 4)} kN`;
   const points = line.shape.length > 1 ? line.shape : [line.fairlead, line.anchor];
   const [mx, my] = alongLine(points, 0.52);
   const touch = line.parted || line.on_bed <= 0 ? null : alongLine(points, line.touchdown_distance / (line.horizontal_distance || 1));
@@ -34,13 +35,13 @@ function Line({ line, on, chosen }: { line: MooringLine; on: Screen; chosen: boo
   const label = labelAt([on.x(ax), on.y(ay)], [line.anchor[0] - line.fairlead[0], line.fairlead[1] - line.anchor[1]], 6.8 * name.length, on.width);
   return (
     <g class={`planline${chosen ? ' chosen' : ''}`} onClick={() => { chosenLine.value = chosen ? null : line.name; }}>
-      <title>{line.parted ? `${line.name}: parted` : `${line.name}: ${tidy(line.fairlead_tension / 1e3, 4)} kN at the fairlead, ${tidy(line.length, 6)} m`}</title>
+      <title>{line.parted ? `${line.name}: parted` : `${line.name}: ${load} at the fairlead${inTime ? ' in the run' : ''}, ${tidy(line.length, 6)} m`}</title>
       <path class="hit" d={path(points.map(flat), on)} />
       <path d={path(points.map(flat), on)} stroke={colour} stroke-dasharray={line.parted ? '3 5' : undefined} />
       {touch ? <circle cx={on.x(touch[0])} cy={on.y(touch[1])} r="3" fill="var(--paper)" stroke={colour} /> : null}
       <path class="anchor" d={`M${on.x(ax) - 4} ${on.y(ay) + 4}h8l-4 -9z`} />
       <text class="name" x={label[0]} y={label[1]} text-anchor="middle">{name}</text>
-      {line.parted ? null : <text class="load" x={on.x(mx)} y={on.y(my) - 5} text-anchor="middle">{tidy(line.fairlead_tension / 1e3, 4)} kN</text>}
+      {line.parted ? null : <text class="load" x={on.x(mx)} y={on.y(my) - 5} text-anchor="middle">{load}</text>}
     </g>
   );
 }
@@ -92,7 +93,7 @@ export function PlanView() {
   const inset = offsets ? Math.min(170, Math.round(0.3 * height)) : 0;
   const hull = scene?.vessel ? outline(scene.vessel) : [];
   const pipe = lay ? pipeTrack(lay) : [];
-  const lines = state?.moorings ?? [];
+  const inTime = linesOfRun.value !== null, lines = linesOfRun.value ?? state?.moorings ?? [];
   const on = screenFor([...hull, ...lines.flatMap((l) => [flat(l.anchor), flat(l.fairlead)])], width, Math.max(60, height - 40), inset);
   const bar = scaleLength(width / (on.scale || 1));
   const save = (): void => { if (svg.current) download('plan-of-moorings.svg', new Blob([alone(new XMLSerializer().serializeToString(svg.current))], { type: 'image/svg+xml' })); };
@@ -107,14 +108,14 @@ export function PlanView() {
                 <text x={on.x(o.points[0]![0]) + 6} y={on.y(o.points[0]![1]) - 5}>{o.name}</text></g>
             ))}
             {pipe.length > 1 ? <path class="planpipe" d={path(pipe, on)}><title>pipe</title></path> : null}
-            {lines.map((l) => <Line key={l.name} line={l} on={on} chosen={chosenLine.value === l.name} />)}
+            {lines.map((l) => <Line key={l.name} line={l} on={on} chosen={chosenLine.value === l.name} inTime={inTime} />)}
             {hull.length ? <path class="planhull" d={`${path(hull, on)}Z`}><title>{scene!.vessel!.name}</title></path> : null}
           </g>
           <path class="north" d={`M${width - 26} 122l7 -26l7 26l-7 -5z`} /><text class="north" x={width - 19} y="92" text-anchor="middle">N</text>
           <path class="bar" d={`M14 ${height - 14}v-6v6h${bar * on.scale}v-6`} /><text x={20 + bar * on.scale} y={height - 12}>{tidy(bar)} m</text>
         </svg>
       ) : null}
-      {tabled ? <div class="plantable" style={{ width: `${tableWidth}px` }}><MooringTable lines={lines} wide /></div> : null}
+      {tabled ? <div class="plantable" style={{ width: `${tableWidth}px` }}><MooringTable lines={lines} wide inTime={inTime} /></div> : null}
       {offsets ? <Offsets of={offsets} size={inset} /> : null}
       <div class="planacts"><StageChoice /><button type="button" class="tiny" title="Save the plan as SVG" onClick={save}>svg</button></div>
     </div>

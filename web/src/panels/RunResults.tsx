@@ -1,4 +1,4 @@
-// The selected run: static values with minima and maxima over time, its warnings, its state.
+// The selected run: static values with minima and maxima over time, its findings, its state.
 import { useState } from 'preact/hooks';
 import type { Lay, Region, RegionSummary, Run, RunSummary, Spread } from '../api/types';
 import { bullets, withoutPaths } from '../logic/findings';

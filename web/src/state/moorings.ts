@@ -1,9 +1,9 @@
 // Which stage of an operation is shown, which line is looked at, and whether the plan stands in the place of the 3-D view.
 import { computed, effect, signal, untracked } from '@preact/signals';
-import type { MooredState } from '../api/types';
-import { stateOf } from '../logic/moorings';
+import type { MooredState, MooringLine } from '../api/types';
+import { largestOfRun, stateOf } from '../logic/moorings';
 import { opened } from './model';
-import { selectedId } from './runs';
+import { runSummary, selectedId } from './runs';
 import { calmLay, shownLay } from './shown';
 
 /** Number of the stage from 0; -1 the rest. */
@@ -15,6 +15,12 @@ export const planShown = signal(false);
 export const mooredState = computed<MooredState | null>(() => { const m = shownLay.value?.moorings; return m ? stateOf(m, stage.value) : null; });
 /** The same, at the pace of panels. */
 export const calmState = computed<MooredState | null>(() => { const m = calmLay.value?.moorings; return m ? stateOf(m, stage.value) : null; });
+
+/** The lines with the largest tensions of the run that is looked at; null without a run in time. */
+export const linesOfRun = computed<MooringLine[] | null>(() => {
+  const lines = calmState.value?.moorings, run = runSummary.value?.dynamic?.moorings;
+  return selectedId.value && lines && run?.length && stage.value < 0 ? largestOfRun(lines, run) : null;
+});
 
 /** Another model, another run: its rest is shown. */
 export function startMoorings(): void {
