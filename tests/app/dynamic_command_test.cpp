@@ -58,17 +58,31 @@ TEST(dynamic_command, prints_the_findings_of_the_run_and_of_its_statics) {
   }
 }
 
-TEST(dynamic_command, tells_before_the_run_that_nothing_moves_in_it) {
+TEST(dynamic_command, refuses_a_run_in_which_nothing_moves) {
   const std::string still = with(with(kSmallLay, kWaves, "waves: {type: none}"), kMoving, "motion: fixed");
   const TemporaryFolder folder;
   const ProgramRun run = run_dynamic_model(folder, still, "--duration '0.5 s'");
+  EXPECT_EQ(run.code, 2) << run.err;
+  EXPECT_NE(run.err.find("nothing moves in the dynamic analysis"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("give a sea"), std::string::npos) << run.err;
+}
+
+/// A tensioner on its brake, whose tension swings with the barge.
+const std::string kLockedLay = with(kSmallLay, "tension: 300 kN", "tension: 300 kN, mode: locked");
+
+TEST(dynamic_command, a_tensioner_without_mode_keeps_its_tension_and_a_finding_says_so) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_dynamic_model(folder, kSmallLay);
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(run.out.find("  serious: nothing moves in the dynamic analysis"), 0U) << run.out;
+  const Json tension = summary_of(folder / "out").at("dynamic").at("top_tension");
+  EXPECT_NEAR(tension.at("min"), 300e3, 300.0);
+  EXPECT_NEAR(tension.at("max"), 300e3, 300.0);
+  EXPECT_NE(run.out.find("[tensioner-mode-assumed]"), std::string::npos) << run.out;
 }
 
 TEST(dynamic_command, writes_all_files_and_prints_the_key_results) {
   const TemporaryFolder folder;
-  const ProgramRun run = run_dynamic_model(folder, kSmallLay);
+  const ProgramRun run = run_dynamic_model(folder, kLockedLay);
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err.find("is finished after"), std::string::npos) << run.err;  // that is said of an earlier run
   for (const char* file : {"summary.json", "pipe.csv", "supports.csv", "impacts.csv", "results.h5", "report.html"}) {
@@ -90,7 +104,7 @@ TEST(dynamic_command, writes_all_files_and_prints_the_key_results) {
 
 TEST(dynamic_command, strict_ends_with_4_when_a_check_is_exceeded_in_time) {
   const TemporaryFolder folder;
-  const std::string weak = kSmallLay + "checks: {limits: {tension: 310 kN}}\n";  // 300 kN at rest
+  const std::string weak = kLockedLay + "checks: {limits: {tension: 310 kN}}\n";  // 300 kN at rest
   const ProgramRun run = run_dynamic_model(folder, weak, "--strict");
   EXPECT_EQ(run.code, 4) << run.err;
   EXPECT_NE(run.err.find("Tension at the tensioner"), std::string::npos) << run.err;
@@ -298,7 +312,7 @@ TEST(dynamic_command, refuses_what_it_can_not_run_in_one_clear_line_and_writes_n
       {"coupled", with(kSmallLay, kMoving, "motion: {coupled: barge.1}"), "", "coupled"},
       {"no RAO file", with(kSmallLay, kMoving, "motion: {raos: nowhere.csv}"), "", "nowhere.csv could not be read"},
       {"no record", with(kSmallLay, kMoving, "motion: {history: nowhere.csv}"), "", "nowhere.csv could not be read"},
-      {"range", with(kSmallLay, "tension: 300 kN", "tension: 300 kN, range: [310 kN, 320 kN]"), "",
+      {"range", with(kSmallLay, "tension: 300 kN", "tension: 300 kN, range: [310 kN, 320 kN], velocity: 0.2 m/s"), "",
        "lay.yaml:13: tensioner.range: "},
       {"short record", with(kSmallLay, kMoving, "motion: {history: motion.csv}"), "", "to 9 s"},
       {"late record", with(kSmallLay, kMoving, "motion: {history: late.csv}"), "", "from t = 2 s"},
@@ -348,9 +362,11 @@ TEST(dynamic_command, keeps_a_fixed_step) {
   EXPECT_EQ(dynamic.at("steps"), 300);  // of 15 s
 }
 
-TEST(dynamic_command, in_calm_water_on_a_barge_at_rest_nothing_happens) {
+TEST(dynamic_command, in_calm_water_on_a_barge_that_hardly_moves_nothing_happens) {
   const TemporaryFolder folder;
-  const std::string model = with(with(kSmallLay, kMoving, "motion: fixed"), kWaves, "waves: {type: none}");
+  const std::string model =
+      with(with(kLockedLay, kMoving, "motion: {harmonic: {heave: {amplitude: 1e-9 m, period: 8 s}}}"), kWaves,
+           "waves: {type: none}");
   ASSERT_EQ(run_dynamic_model(folder, model).code, 0);
   const Json summary = summary_of(folder / "out");
   const Json statics = summary.at("static"), dynamic = summary.at("dynamic");

@@ -178,11 +178,17 @@ TEST(yaml_reader, a_file_that_only_dynamics_needs_is_missed_with_a_warning) {
       << messages(d.findings)[0];
 }
 
-TEST(yaml_reader, tensioner_is_controlled_with_a_range_and_locked_without) {
+TEST(yaml_reader, tensioner_is_controlled_with_a_range_and_keeps_its_tension_without) {
   EXPECT_EQ(read_good(kGoodModel).tensioner.mode, TensionerMode::controlled);
   std::string text = kGoodModel;
   text.erase(text.find("  range:"), std::string("  range: [240 kN, 260 kN]\n").size());
-  EXPECT_EQ(read_good(text).tensioner.mode, TensionerMode::locked);
+  EXPECT_EQ(read_good(text).tensioner.mode, TensionerMode::constant);
+  EXPECT_TRUE(read_good(text).tensioner.mode_assumed);
+  const std::string tension = "tension: 250 kN";
+  text.insert(text.find(tension) + tension.size(), "\n  mode: locked");
+  const Description locked = read_good(text);
+  EXPECT_EQ(locked.tensioner.mode, TensionerMode::locked);  // chosen
+  EXPECT_FALSE(locked.tensioner.mode_assumed);
 }
 
 TEST(yaml_reader, a_range_that_does_not_hold_the_tension_is_a_warning_for_statics_sweep_the_tension) {
@@ -288,7 +294,7 @@ tensioner: {x: 0 m, z: 15 m, tension: 560 kN}
   EXPECT_EQ(d.vessel.name, defaults.vessel.name);
   EXPECT_DOUBLE_EQ(d.vessel.draught, defaults.vessel.draught);
   EXPECT_EQ(d.tensioner.guide, Guide::clamped);
-  EXPECT_EQ(d.tensioner.mode, TensionerMode::locked);
+  EXPECT_EQ(d.tensioner.mode, TensionerMode::constant);
   EXPECT_TRUE(d.supports.boxes.empty());
   EXPECT_EQ(d.statics.max_iterations, defaults.statics.max_iterations);
   EXPECT_DOUBLE_EQ(d.statics.tolerance, defaults.statics.tolerance);

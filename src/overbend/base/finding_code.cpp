@@ -111,9 +111,6 @@ constexpr std::array kKinds = {
 
     FindingKind{breaking_load_exceeded, "breaking-load-exceeded", kSerious,
                 "The tension exceeds the breaking load of a line.", "Reduce the load or use a stronger line."},
-    FindingKind{safety_factor_below_required, "safety-factor-below-required", kSerious,
-                "Breaking load or holding power over the load is less than the safety factor asked for.",
-                "Reduce the load, use a stronger line or anchor, or give the factor of your criteria."},
     FindingKind{working_load_exceeded, "working-load-exceeded", kSerious,
                 "The tension of a mooring line exceeds `moorings.working_load`.", "Reduce the load or pre-tension."},
     FindingKind{line_slack, "line-slack", kSerious,
@@ -217,6 +214,14 @@ constexpr std::array kKinds = {
     FindingKind{nothing_moves, "nothing-moves", kSerious,
                 "The sea is calm and the vessel does not move: the run shows statics.",
                 "Give `environment.waves` or `vessel.motion`."},
+    FindingKind{tensioner_never_moves, "tensioner-never-moves", kSerious,
+                "A controlled tensioner has no velocity: in dynamic analysis it is a locked brake.",
+                "Give `tensioner.velocity`, or choose `mode: locked` or `constant`."},
+    FindingKind{
+        tensioner_mode_assumed, "tensioner-mode-assumed", kCaution,
+        "Neither mode nor range of the tensioner is given: in dynamic analysis it keeps the set tension, an ideal "
+        "machine without limits.",
+        "Give `tensioner.range` and `velocity` of the machine, or `mode: constant` or `locked`."},
     FindingKind{tensioner_locked_in_move, "tensioner-locked-in-move", kCaution,
                 "The tensioner is locked while the vessel moves ahead: no pipe is paid out.",
                 "Use constant or controlled mode."},

@@ -56,7 +56,6 @@ enum class FindingCode {
   stinger_stop_impacts,
   // Cables, moorings and lines
   breaking_load_exceeded,
-  safety_factor_below_required,
   working_load_exceeded,
   line_slack,
   line_snaps,
@@ -99,6 +98,8 @@ enum class FindingCode {
   tensioner_at_travel_limit,
   pipe_end_past_first_box,
   nothing_moves,
+  tensioner_never_moves,
+  tensioner_mode_assumed,
   tensioner_locked_in_move,
   tensioner_slower_than_vessel,
   tensioner_travel_not_applied,

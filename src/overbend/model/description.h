@@ -125,6 +125,7 @@ struct TensionerDescription {
   std::optional<double> range_low;   ///< Operational range [N].
   std::optional<double> range_high;  ///< Operational range [N].
   TensionerMode mode = TensionerMode::locked;
+  bool mode_assumed = false;           ///< The model gives neither mode nor range.
   double delay = 0.0;                  ///< Response delay [s].
   double velocity = 0.0;               ///< Response velocity [m/s].
   std::optional<double> acceleration;  ///< Response acceleration [m/s2].

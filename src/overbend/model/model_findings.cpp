@@ -75,6 +75,13 @@ Findings model_findings(const Model& model) {
          "nothing moves in the dynamic analysis: the water is calm (environment.waves) and the vessel does not move "
          "(vessel.motion)"});
   }
+  if (d.dynamics && d.has_pipe && d.tensioner.mode_assumed) {
+    findings.push_back(Finding{FindingCode::tensioner_mode_assumed,
+                               "tensioner.mode is not given: in the dynamic analysis the tensioner keeps the set "
+                               "tension, an ideal machine without limits of speed and travel; give its range and "
+                               "velocity, or mode: constant or locked"}
+                           .on("tensioner"));
+  }
   return findings;
 }
 

@@ -55,6 +55,14 @@ void bind_members(const FieldNode& node, const FieldValue& group, Target target,
   }
 }
 
+/// A lay vessel's tensioner works: a brake is chosen, not fallen into.
+void choose_tensioner_mode(const FieldValue& root, TensionerDescription& tensioner) {
+  const FieldValue* group = root.find("tensioner");
+  if (group == nullptr || group->mentions("mode") || group->mentions("range")) return;
+  tensioner.mode = TensionerMode::constant;
+  tensioner.mode_assumed = true;
+}
+
 Description bind_model(const FieldValue& root, const std::string& source_file) {
   Description description;
   description.source_file = source_file;
@@ -64,6 +72,7 @@ Description bind_model(const FieldValue& root, const std::string& source_file) {
   bind_head_section(root, source_file, description);
   place_box_rows(root, description);
   choose_stinger_setting(description.supports);
+  choose_tensioner_mode(root, description.tensioner);
   resolve_lines(description);
   return description;
 }

@@ -87,7 +87,7 @@ std::vector<Field> tensioner() {
        .kind = FieldKind::choice,
        .text = "Behaviour in dynamic analysis. controlled: keeps the tension in the range; locked: brake on; constant: "
                "ideal constant tension.",
-       .fallback_text = "controlled with a range, otherwise locked"},
+       .fallback_text = "controlled with a range, otherwise constant, with a finding"},
       {.path = "tensioner.delay",
        .member = defaults(&TensionerDescription::delay),
        .kind = FieldKind::quantity,

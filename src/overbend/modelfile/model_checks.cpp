@@ -168,7 +168,9 @@ void check_tensioner_mode(Checker& check) {
   const auto velocity = check.root().get_number("tensioner.velocity");
   if (controlled && velocity.value_or(0.0) <= 0.0) {
     check.warn(*tensioner,
-               "a controlled tensioner without velocity never moves: in dynamic analysis it is a locked brake");
+               "a controlled tensioner without velocity never moves: in dynamic analysis it is a locked brake; give "
+               "tensioner.velocity",
+               FindingCode::tensioner_never_moves);
   }
 }
 

@@ -211,7 +211,9 @@ std::shared_ptr<const LayStart> base_start(const CaseBase& base) {
 RunEnd prepare_neighbour(const CaseBase& base, const CaseQuestion& question, CaseNeighbour& neighbour) {
   if (neighbour.prepared && neighbour.keys == question.keys) return {};
   try {
-    auto made = prepare_case(base.described(question.keys, false));
+    const Description description = base.described(question.keys, false);
+    if (const std::optional<RunEnd> calm = refuse_calm_run(description)) return *calm;
+    auto made = prepare_case(description);
     if (const RunEnd* fault = std::get_if<RunEnd>(&made)) return *fault;
     neighbour.prepared = std::get<std::shared_ptr<const PreparedCase>>(std::move(made));
     neighbour.keys = question.keys;

@@ -8,6 +8,7 @@
 
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/dynamics.h"
+#include "model/model_findings.h"
 #include "model/operation_words.h"
 #include "model/station.h"
 #include "modelfile/input_place.h"
@@ -96,6 +97,17 @@ RunEnd failed_end(const StaticFailure& failure, const Description& description) 
   }
   if (failure.input) return {RunEnding::wrong_input, failure_line(failure)};
   return {RunEnding::no_solution, "no solution: " + failure_line(failure)};
+}
+
+std::optional<RunEnd> refuse_calm_run(const Description& description) {
+  for (const Finding& finding : model_findings(build_model(description))) {
+    if (finding.code != FindingCode::nothing_moves) continue;
+    return RunEnd{RunEnding::wrong_input,
+                  finding.message +
+                      "; give a sea, for example environment.waves: {type: jonswap, hs: 1.5 m, tp: 7 s}, "
+                      "and vessel.motion"};
+  }
+  return std::nullopt;
 }
 
 std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Description& description,

@@ -39,6 +39,9 @@ std::string failure_line(const StaticFailure& failure);
 /// The same as the end of a run.
 RunEnd failed_end(const StaticFailure& failure, const Description& description);
 
+/// Why a run in time of the model would show nothing: the water is calm and nothing moves.
+std::optional<RunEnd> refuse_calm_run(const Description& description);
+
 /// Builds the model and solves its statics; where it cannot be run, why.
 std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(
     const Description& description, const std::vector<ControllerUse>& controllers = {});

@@ -28,7 +28,9 @@ RunEnd prepare(const Description& base, const StudyPlan& plan, const fs::path& f
     if (i == 0 || !same_model(plan.cases[i - 1], one)) {
       std::variant<std::shared_ptr<const PreparedCase>, RunEnd> made;
       try {
-        made = prepare_case(describe(base, one), one.controllers);
+        const Description description = describe(base, one);
+        const std::optional<RunEnd> calm = one.controllers.empty() ? refuse_calm_run(description) : std::nullopt;
+        made = calm ? *calm : prepare_case(description, one.controllers);
       } catch (const std::runtime_error& fault) {  // a text that cannot be edited so
         return {RunEnding::wrong_input, fault.what()};
       }
