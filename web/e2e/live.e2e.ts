@@ -81,7 +81,7 @@ test('stinger radius and box height move rollers, and are written into the model
   await drag('#s-radius', 170);
   await expect.poll(typed).toBe('170 m');
   await solved(page);
-  expect(Math.abs(await fitted() - 170)).toBeLessThan(2); // boxes off the circle before are off it after
+  await expect.poll(async () => Math.abs(await fitted() - 170)).toBeLessThan(2); // boxes off the circle before are off it after
   await drag('[id="s-stinger 3"]', 0.1);
   await solved(page);
   await page.click('text=Apply to model');

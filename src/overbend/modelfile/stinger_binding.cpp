@@ -68,7 +68,8 @@ void place_box_rows(const FieldValue& root, Description& description) {
   for (const Structure structure : {Structure::ramp, Structure::stinger}) {
     const bool ramp = structure == Structure::ramp;
     std::optional<BoxRowDescription>& row = ramp ? supports.ramp_row : supports.stinger_row;
-    const std::optional<double>& radius = ramp ? supports.ramp_radius : supports.stinger_radius;
+    std::optional<double>& radius = ramp ? supports.ramp_radius : supports.stinger_radius;
+    if (!row) radius.reset();  // listed boxes have none
     if (row && radius) {
       complete_first(root, structure, *radius, description, *row);
       place_row(*row, *radius, structure, supports.boxes);

@@ -128,12 +128,18 @@ std::string laid_out(const FrontPage& page, const std::string& verdict, const st
          "</div>\n";
 }
 
+/// A message on a file begins with its name, which stays as it is written.
+std::string sentence(const Finding& finding) {
+  const bool of_file = finding.code == FindingCode::unusual_input || finding.code == FindingCode::unused_input;
+  return of_file ? finding.message : upper_first(finding.message);
+}
+
 std::string finding_list(std::span<const Finding> findings) {
   std::string items;
   for (const Finding& finding : findings) {
     const std::string severity = name(finding.severity());
     items += fmt::format("<li class=\"{}\"><b>{}</b> {} <span class=\"code\">{}</span></li>\n", severity,
-                         upper_first(severity), escape(upper_first(finding.message)), kind(finding.code).name);
+                         upper_first(severity), escape(sentence(finding)), kind(finding.code).name);
   }
   return "<ul>\n" + items + "</ul>\n";
 }

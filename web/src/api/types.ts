@@ -149,7 +149,7 @@ export interface RunSummary {
   findings?: Finding[];
   verdict?: Verdict;
   checks?: { list: Check[] };
-  dynamic?: DynamicSummary & { vessel?: VesselInTime; thrust?: ThrustInTime[]; moorings?: MooringInTime[]; fatigue?: { spots: FatigueSpot[] } };
+  dynamic?: DynamicSummary & { verdict?: Verdict; findings?: Finding[]; vessel?: VesselInTime; thrust?: ThrustInTime[]; moorings?: MooringInTime[]; fatigue?: { spots: FatigueSpot[] } };
 }
 
 export interface NewOffer {

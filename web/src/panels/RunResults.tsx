@@ -9,6 +9,7 @@ import { cancelRun, runName, runSummary, select, selected } from '../state/runs'
 import { FatigueResults } from './FatigueResults';
 import { LineTable, MooringResults } from './Moorings';
 import { Findings } from './Findings';
+import { VerdictCard } from './Results';
 
 interface Row { name: string; unit: string; before: number | null | undefined; over: Spread | null | undefined }
 
