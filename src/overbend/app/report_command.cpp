@@ -1,5 +1,4 @@
 #include "report/operation_report.h"
-#include "report/pdf.h"
 #include "report/report.h"
 
 #include <filesystem>
@@ -7,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/pdf.h"
 #include "resultfiles/dynamic_reader.h"
 #include "resultfiles/lines_reader.h"
 #include "resultfiles/operation_reader.h"

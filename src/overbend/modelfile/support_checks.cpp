@@ -107,10 +107,11 @@ void check_names(Checker& check) {
 void check_radius(Checker& check, const FieldValue& structure) {
   const FieldValue* radius = structure.find("radius");
   if (radius == nullptr || boxes_of(structure).empty()) return;
-  check.warn(*radius, "a radius of " + radius->shown +
-                          " beside listed boxes is not used: they stand by their x and z alone, and static." + structure.key +
-                          "_fitted_radius of the results is the radius of the circle fitted to them; remove the key, or replace "
-                          "the list by a row of boxes: {count, spacing, first}");
+  check.warn(*radius,
+             "a radius of " + radius->shown +
+                 " beside listed boxes is not used: they stand by their x and z alone, and static." + structure.key +
+                 "_fitted_radius of the results is the radius of the circle fitted to them; remove the key, or replace "
+                 "the list by a row of boxes: {count, spacing, first}");
 }
 
 std::vector<std::string> roller_kinds(const FieldValue& root) {

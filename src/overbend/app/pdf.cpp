@@ -1,4 +1,4 @@
-#include "report/pdf.h"
+#include "app/pdf.h"
 
 #include <fmt/format.h>
 #include <spawn.h>

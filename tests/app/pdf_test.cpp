@@ -1,4 +1,4 @@
-#include "report/pdf.h"
+#include "app/pdf.h"
 
 #include <gtest/gtest.h>
 
