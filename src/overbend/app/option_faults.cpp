@@ -97,8 +97,9 @@ const CLI::Option* named(const CLI::App& command, const std::string& text) {
 std::string number_of_values(const CLI::App& command, const std::string& text) {
   const CLI::Option* option = named(command, text);
   if (!option) return "an option lacks its value";
-  if (option->count() > 1)
+  if (option->count() > 1) {
     return fmt::format("{}: found it {} times, expected it once", option->get_name(), option->count());
+  }
   return fmt::format("{}: the value is missing, expected: {}", option->get_name(), option->get_description());
 }
 

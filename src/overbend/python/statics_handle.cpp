@@ -48,8 +48,9 @@ StaticsHandle::StaticsHandle(std::shared_ptr<ModelHandle> model, const std::stri
     made_.emplace(build_model(made_->description));  // as it was before the attempt
     take_lay(solve_lay(*made_));
   } else {
-    if (pushed_sideways(*made_))
+    if (pushed_sideways(*made_)) {
       statics_.lay->findings.push_back({FindingCode::other_equilibrium_possible, kStartedBeside});
+    }
     still_ = start->still();
   }
   if (statics_.failure) throw SolveFault(*statics_.failure);

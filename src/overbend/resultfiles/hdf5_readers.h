@@ -40,8 +40,9 @@ struct ValueReader {
     if (file.has(path(f))) {
       for (const std::string& text : file.texts(path(f))) values.push_back(read_finding(read_json(text)));
     } else if (file.has(group + "/warnings")) {  // of a version that had messages alone
-      for (std::string& text : file.texts(group + "/warnings"))
+      for (std::string& text : file.texts(group + "/warnings")) {
         values.push_back({FindingCode::unknown, std::move(text)});
+      }
     }
   }
   void operator()(const ResultField& f, std::optional<double>& value) const {

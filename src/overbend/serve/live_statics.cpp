@@ -81,8 +81,9 @@ Json LiveStatics::solve(Model model, const StaticWish& wish) {
     found = solve_model(model, &last->solution);
   }
   // Found only from the last one, a lay that is pushed sideways is not the one that a run would find.
-  if (warm && found.lay && pushed_sideways(model))
+  if (warm && found.lay && pushed_sideways(model)) {
     found.lay->findings.push_back({FindingCode::other_equilibrium_possible, kFromTheLast});
+  }
   const double solve_ms = milliseconds_since(start);
   if (found.failure) {
     const StaticFailure& f = *found.failure;

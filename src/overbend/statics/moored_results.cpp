@@ -238,9 +238,10 @@ Findings mooring_findings(const Model& model, const MooringSpread& spread, const
     const double tension = line.fairlead_tension / 1e3;
     if (line.parted) continue;
     effective += line.slack ? 0 : 1;
-    if (line.slack)
+    if (line.slack) {
       list.push_back(
           Finding{FindingCode::line_slack, head + " is slack: it holds nothing."}.on("mooring line " + line.name));
+    }
     if (line.utilisation && *line.utilisation > 1.0) {
       list.push_back(Finding{FindingCode::breaking_load_exceeded,
                              fmt::format("{} has {:.1f} kN, more than its breaking load.", head, tension)}

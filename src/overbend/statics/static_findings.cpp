@@ -224,10 +224,11 @@ Findings lay_findings(const Model& model) {
   Findings list;
   warn_of_bed(list, model);
   warn_of_shoe(list, model);
-  if (const auto outlier = support_outlier(model))
+  if (const auto outlier = support_outlier(model)) {
     list.push_back(Finding{FindingCode::support_out_of_line, outlier_words(*outlier)}
                        .on(outlier->name)
                        .with("height", outlier->height, "m"));
+  }
   warn_of_incline(list, model);
   warn_of_field_joints(list, model);
   std::ranges::copy(material_findings(model), std::back_inserter(list));
