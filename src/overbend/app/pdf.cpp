@@ -11,8 +11,6 @@
 #include <string_view>
 #include <vector>
 
-extern char** environ;
-
 namespace overbend {
 namespace {
 
@@ -23,7 +21,7 @@ fs::path find_in_path(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path != nullptr ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const fs::path file = fs::path(folder) / program;
+    fs::path file = fs::path(folder) / program;
     if (access(file.c_str(), X_OK) == 0) return file;
   }
   return {};
@@ -64,7 +62,7 @@ fs::path find_browser() {
   }
   for (const char* program :
        {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge"}) {
-    if (const fs::path found = find_in_path(program); !found.empty()) return found;
+    if (fs::path found = find_in_path(program); !found.empty()) return found;
   }
   return {};
 }
