@@ -82,6 +82,16 @@ TEST(verdict, without_any_judged_check_nothing_is_claimed) {
             "NOT JUDGED");
 }
 
+TEST(front_page, a_line_that_is_used_most_does_not_hide_the_equipment) {
+  CheckTable checks;
+  CheckRow anchor = check_of("Anchor, holding power over safety factor", CheckRegion::line, CheckStatus::passed, 0.9);
+  anchor.id = "anchor_load";
+  checks.rows = {anchor, check_of("Roller force", CheckRegion::line, CheckStatus::passed, 0.4)};
+  const std::string html = front_page(FrontPage{}, bgl1().results, checks, "");
+  EXPECT_NE(html.find("<div class=\"region\">Anchors</div>"), std::string::npos);
+  EXPECT_NE(html.find("<div class=\"region\">Line and equipment</div>"), std::string::npos);
+}
+
 /// All text between quotes of the sources that speak of assumptions and warnings, pieces of one text joined.
 std::string said_by_the_program() {
   std::string text;

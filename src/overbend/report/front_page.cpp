@@ -97,11 +97,17 @@ std::vector<Utilisation> line_bars(const CheckTable& checks) {
 
 constexpr const char* kCapacity = "The mark on the bar is the full capacity, with its safety factor. ";
 
+/// Without the rows on lines, anchors and cables, which have bars of their own.
+CheckTable without_lines(CheckTable checks) {
+  std::erase_if(checks.rows, [](const CheckRow& row) { return !line_title(row).empty(); });
+  return checks;
+}
+
 std::string utilisation_card(const StaticResults& statics, const CheckTable& checks, const FrontPage& page) {
   std::vector<Utilisation> bars;
+  const CheckTable others = without_lines(checks);
   for (const CheckRegion region : check_regions()) {
-    const CheckRow* row = governing_check(checks, region);
-    if (row != nullptr && line_title(*row).empty()) bars.push_back(bar_of(statics, *row));
+    if (const CheckRow* row = governing_check(others, region)) bars.push_back(bar_of(statics, *row));
   }
   const std::vector<Utilisation> lines = line_bars(checks);
   bars.insert(bars.end(), lines.begin(), lines.end());

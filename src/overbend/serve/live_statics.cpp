@@ -89,6 +89,7 @@ Json LiveStatics::solve(Model model, const StaticWish& wish) {
     const StaticFailure& f = *found.failure;
     return {{"status", "failed"}, {"what", f.what}, {"where", f.where}, {"why", f.why}};
   }
+  if (!wish.lists) tell_hull(model, found);  // while a value is dragged it can wait
   if (found.solution) {
     hold.lock();
     last_ = std::make_shared<const Last>(

@@ -128,7 +128,8 @@ LayCase LayCases::solve(const Description& description, double tension, double d
     found.reason = outcome.failure->what;
     return found;
   }
-  const StaticResults results = checked_statics(model, outcome);
+  StaticResults results = checked_statics(model, outcome);
+  tell_hull(model, results);
   if (assumptions_.empty()) assumptions_ = results.assumptions;
   known_.push_back({tension, depth, results.lay_back});
   return told(tension, depth, results);

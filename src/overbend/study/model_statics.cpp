@@ -1,6 +1,7 @@
 #include "study/model_statics.h"
 
 #include "base/require.h"
+#include "checks/run_checks.h"
 #include "statics/moored_lay.h"
 #include "statics/moored_statics.h"
 #include "study/lines_run.h"
@@ -22,6 +23,10 @@ ModelStatics hull_alone(Model& model) {
   ModelStatics found;
   LayOutcome outcome = solve_moored_hull(model);
   found.moorings = std::move(outcome.moorings);
+  if (found.moorings) {
+    fill_checks(model, *found.moorings);
+    accept(found.moorings->findings, model.description.checks.accepted_findings);
+  }
   found.failure = std::move(outcome.failure);
   return found;
 }
