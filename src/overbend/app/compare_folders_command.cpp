@@ -7,9 +7,9 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "base/finding.h"
+#include "base/shown_unit.h"
 #include "report/folder_comparison_page.h"
 #include "resultfiles/folder_comparison_writer.h"
-#include "results/fields/shown_unit.h"
 #include "runstore/staged_folder.h"
 #include "study/folder_compare.h"
 

@@ -60,11 +60,11 @@ bool is_whole(const std::string& message) {
 }
 
 /// Of a whole message.
-std::string message_text(std::string message) {
+std::string message_text(const std::string& message) {
   const bool is_fault = message[0] == static_cast<char>(Answer::fault);
-  message.erase(0, kHead);
-  if (is_fault) throw std::runtime_error(message);
-  return message;
+  std::string text = message.substr(kHead);
+  if (is_fault) throw std::runtime_error(text);
+  return text;
 }
 
 #if OVERBEND_HAS_FORK
@@ -190,7 +190,7 @@ std::string ChildWork::result() {
   }
   if (!is_whole(received_)) refuse();
   end();
-  return message_text(std::move(received_));
+  return message_text(received_);
 }
 
 #else
@@ -201,7 +201,7 @@ ChildWork::ChildWork(const std::function<std::string()>& work, const ChildLimits
 ChildWork::~ChildWork() = default;
 
 std::string ChildWork::result() {
-  return message_text(std::move(received_));
+  return message_text(received_);
 }
 
 #endif

@@ -10,8 +10,6 @@
 namespace overbend {
 namespace {
 
-const double kKilonewton = shown_unit("tension", "N").factor;
-
 Json numbers(const std::vector<double>& values, double factor = 1.0) {
   Json out = Json::array();
   for (const double value : values) out.push_back(json_number(factor * value));
@@ -35,7 +33,7 @@ Json tensioner_run(const ComparedRun& run) {
           {"states", states},
           {"close",
            {{"time", numbers(run.close.time)},
-            {"tension", numbers(run.close.tension, kKilonewton)},
+            {"tension", numbers(run.close.tension, shown_unit("N").factor)},
             {"travel", numbers(run.close.travel)}}}};
 }
 
@@ -50,7 +48,7 @@ Json tensioner_data(const Comparison& comparison) {
   for (const ComparedRun& run : comparison.runs) runs.push_back(tensioner_run(run));
   const TensionerDynamics& t = comparison.runs.front().results.tensioner;
   const bool ranged = t.range_high > t.range_low;
-  return {{"range", ranged ? numbers({t.range_low, t.range_high}, kKilonewton) : Json(nullptr)},
+  return {{"range", ranged ? numbers({t.range_low, t.range_high}, shown_unit("N").factor) : Json(nullptr)},
           {"limit", t.travel_limit > 0.0 ? json_number(t.travel_limit) : Json(nullptr)},
           {"runs", runs}};
 }

@@ -7,6 +7,7 @@
 
 #include "base/finding.h"
 #include "base/json.h"
+#include "base/shown_unit.h"
 #include "report/figure_list.h"
 #include "report/front_page.h"
 #include "report/html.h"
@@ -14,7 +15,6 @@
 #include "report/page.h"
 #include "report/sections.h"
 #include "resultfiles/folder_comparison_writer.h"
-#include "results/fields/shown_unit.h"
 
 namespace overbend {
 namespace {

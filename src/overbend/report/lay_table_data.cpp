@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/shown_unit.h"
 #include "report/json_number.h"
-#include "results/fields/shown_unit.h"
 
 namespace overbend {
 namespace {
@@ -52,7 +52,7 @@ const std::vector<Panel>& panels() {
 }
 
 ShownUnit axis_unit(const LayTable& table) {
-  if (table.route) return {"m", "km", 1e-3, 3};
+  if (table.route) return route_length();
   return shown_unit("", table.vary == LayTableVary::tension ? "N" : "m");
 }
 

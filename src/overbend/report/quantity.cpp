@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/shown_unit.h"
 #include "report/history_name.h"
 #include "report/html.h"
-#include "results/fields/shown_unit.h"
 
 namespace overbend {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "base/json.h"
+#include "base/shown_unit.h"
 #include "report/study_shape.h"
-#include "results/fields/shown_unit.h"
 #include "results/study_results.h"
 
 namespace overbend {

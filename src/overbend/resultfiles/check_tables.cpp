@@ -73,7 +73,7 @@ ShownUnit check_unit(const CheckRow& row) {
 }
 
 ShownUnit check_unit(const CheckInput& input) {
-  if (input.units == "m") return {"m", "mm", 1e3, 1};  // the lengths of a section
+  if (input.units == "m") return section_length();
   const bool factor = input.meaning.find("factor") != std::string::npos;
   return shown_unit(factor ? "" : input.meaning, input.units);
 }

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "base/shown_unit.h"
 #include "results/check_results.h"
-#include "results/fields/shown_unit.h"
 
 namespace overbend {
 

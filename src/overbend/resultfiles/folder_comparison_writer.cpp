@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/shown_unit.h"
 #include "resultfiles/csv_table.h"
-#include "results/fields/shown_unit.h"
 #include "runstore/append_file.h"
 
 namespace overbend {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/json.h"
-#include "results/fields/shown_unit.h"
+#include "base/shown_unit.h"
 #include "results/seeds_results.h"
 #include "results/static_results.h"
 

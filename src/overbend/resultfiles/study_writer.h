@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
+#include "base/shown_unit.h"
 #include "resultfiles/data_table.h"
 #include "resultfiles/dataset_sink.h"
-#include "results/fields/shown_unit.h"
 #include "results/study_results.h"
 
 namespace overbend {

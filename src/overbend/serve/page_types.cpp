@@ -31,19 +31,25 @@ StaticResults example_statics() {
   return r;
 }
 
+std::string unit_text(const ShownUnit& unit) {
+  return fmt::format("{{ unit: '{}', factor: {}, digits: {}, more: {} }}", unit.name.empty() ? "–" : unit.name,
+                     unit.factor, unit.digits, unit.more);
+}
+
 /// Quantities along the pipe, named and shown as everywhere: rows of the table `quantities`.
 struct QuantityRows {
   std::string text;
 
   void over_time(const ResultField& f, const Envelope&, const std::vector<double>&) {
-    if (f.key(Output::page)) add(std::string(*f.key(Output::page)), name_of(f), shown_unit(f));
+    if (f.key(Output::page)) add(std::string(*f.key(Output::page)), name_of(f), std::string(f.units));
   }
   template <class Other>
   void operator()(const ResultField&, const Other&) {}
   void spread(const ResultField&, const Envelope&) {}
-  void add(const std::string& key, const std::string& name, const ShownUnit& unit) {
-    text += fmt::format("  {{ key: '{}', name: '{}', unit: '{}', factor: {}, digits: {} }},\n", key, name,
-                        unit.name.empty() ? "–" : unit.name, unit.factor, unit.digits);
+  void add(const std::string& key, const std::string& name, const std::string& si) {
+    const auto in = [&](UnitSystem system) { return unit_text(shown_unit(key, si, system)); };
+    text += fmt::format("  {{ key: '{}', name: '{}', metric: {}, us: {} }},\n", key, name, in(UnitSystem::metric),
+                        in(UnitSystem::us));
   }
 
  private:
@@ -59,22 +65,26 @@ std::string quantity_table() {
   QuantityRows rows;
   const DynamicResults example;
   visit_dynamic_stations(example, rows);
-  rows.add("utilisation", "von Mises stress / yield stress", shown_unit("utilisation", "1"));
-  rows.add("checks", "Utilisation of code checks", shown_unit("checks", "1"));
+  rows.add("utilisation", "von Mises stress / yield stress", "1");
+  rows.add("checks", "Utilisation of code checks", "1");
   return "/** Quantities along the pipe: key in the lists, name, and how SI values are shown. */\n"
          "export const quantities = [\n" +
          rows.text + "] as const;\n";
 }
 
-std::string unit_table() {
-  std::string text =
-      "/** By SI unit: in which unit values are shown, times which factor, with how many decimals. */\n"
-      "export const shownUnits: Record<string, { unit: string; factor: number; digits: number }> = {\n";
-  for (const ShownUnit& unit : kShownUnits) {
-    text += fmt::format("  '{}': {{ unit: '{}', factor: {}, digits: {} }},\n", unit.si,
-                        unit.name.empty() ? "–" : unit.name, unit.factor, unit.digits);
-  }
-  return text + "};\n";
+std::string unit_table(const char* system, std::span<const ShownUnit> units) {
+  std::string text = fmt::format("  {}: {{\n", system);
+  for (const ShownUnit& unit : units) text += fmt::format("    '{}': {},\n", unit.si, unit_text(unit));
+  return text + "  },\n";
+}
+
+std::string unit_tables() {
+  return "/** A unit in which values are shown: they times `factor`, with `digits` decimals, `more` than metric "
+         "values. */\n"
+         "export interface ShownUnit { unit: string; factor: number; digits: number; more: number }\n\n"
+         "/** By system and SI unit. */\n"
+         "export const shownUnits: Record<'metric' | 'us', Record<string, ShownUnit>> = {\n" +
+         unit_table("metric", shown_units(UnitSystem::metric)) + unit_table("us", shown_units(UnitSystem::us)) + "};\n";
 }
 
 std::string member(const std::string& key, const Type& type) {
@@ -113,7 +123,7 @@ std::string page_types() {
   summary.named("DynamicSummary", dynamic_part(summary, statics, dynamics));
   std::string text = kHead;
   for (const auto& [name, members] : types) text += "\n" + interface_of(name, members);
-  return text + "\n" + unit_table() + "\n" + quantity_table();
+  return text + "\n" + unit_tables() + "\n" + quantity_table();
 }
 
 }  // namespace overbend

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "results/fields/shown_unit.h"
+#include "base/shown_unit.h"
 
 namespace overbend {
 namespace {

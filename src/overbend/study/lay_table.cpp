@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/shown_unit.h"
 #include "base/version.h"
 #include "report/lay_table_page.h"
 #include "resultfiles/lay_table_writer.h"
-#include "results/fields/shown_unit.h"
 #include "runstore/staged_folder.h"
 #include "study/limit_search.h"
 #include "study/stage_choice.h"

@@ -470,29 +470,68 @@ export interface DynamicSummary {
   checks: { worst: CheckInFull | null; list: CheckInFull[]; };
 }
 
-/** By SI unit: in which unit values are shown, times which factor, with how many decimals. */
-export const shownUnits: Record<string, { unit: string; factor: number; digits: number }> = {
-  'N': { unit: 'kN', factor: 0.001, digits: 1 },
-  'N m': { unit: 'kN m', factor: 0.001, digits: 1 },
-  'N/m': { unit: 'kN/m', factor: 0.001, digits: 1 },
-  'N s': { unit: 'kN s', factor: 0.001, digits: 3 },
-  'Pa': { unit: 'MPa', factor: 1e-06, digits: 1 },
-  'J': { unit: 'kJ', factor: 0.001, digits: 3 },
-  'rad': { unit: 'deg', factor: 57.29577951308232, digits: 2 },
-  'rad/s': { unit: 'deg/s', factor: 57.29577951308232, digits: 3 },
-  'm': { unit: 'm', factor: 1, digits: 3 },
-  's': { unit: 's', factor: 1, digits: 4 },
-  '1': { unit: '–', factor: 1, digits: 6 },
-  '-': { unit: '–', factor: 1, digits: 6 },
+/** A unit in which values are shown: they times `factor`, with `digits` decimals, `more` than metric values. */
+export interface ShownUnit { unit: string; factor: number; digits: number; more: number }
+
+/** By system and SI unit. */
+export const shownUnits: Record<'metric' | 'us', Record<string, ShownUnit>> = {
+  metric: {
+    'N': { unit: 'kN', factor: 0.001, digits: 1, more: 0 },
+    'N m': { unit: 'kN m', factor: 0.001, digits: 1, more: 0 },
+    'N/m': { unit: 'kN/m', factor: 0.001, digits: 1, more: 0 },
+    'N s': { unit: 'kN s', factor: 0.001, digits: 3, more: 0 },
+    'Pa': { unit: 'MPa', factor: 1e-06, digits: 1, more: 0 },
+    'J': { unit: 'kJ', factor: 0.001, digits: 3, more: 0 },
+    'rad': { unit: 'deg', factor: 57.29577951308232, digits: 2, more: 0 },
+    'rad/s': { unit: 'deg/s', factor: 57.29577951308232, digits: 3, more: 0 },
+    'm': { unit: 'm', factor: 1, digits: 3, more: 0 },
+    's': { unit: 's', factor: 1, digits: 4, more: 0 },
+    '1': { unit: '–', factor: 1, digits: 6, more: 0 },
+    '-': { unit: '–', factor: 1, digits: 6, more: 0 },
+    'm/s': { unit: 'm/s', factor: 1, digits: 3, more: 0 },
+    'm/s2': { unit: 'm/s2', factor: 1, digits: 3, more: 0 },
+    'm3': { unit: 'm3', factor: 1, digits: 3, more: 0 },
+    '1/m': { unit: '1/m', factor: 1, digits: 3, more: 0 },
+    'N m2': { unit: 'kN m2', factor: 0.001, digits: 1, more: 0 },
+    'N m/rad': { unit: 'kN m/rad', factor: 0.001, digits: 1, more: 0 },
+    'N/m2': { unit: 'kN/m2', factor: 0.001, digits: 1, more: 0 },
+    'N/m3': { unit: 'kN/m3', factor: 0.001, digits: 2, more: 0 },
+    'kg': { unit: 't', factor: 0.001, digits: 1, more: 0 },
+    'kg/m': { unit: 'kg/m', factor: 1, digits: 2, more: 0 },
+  },
+  us: {
+    'N': { unit: 'kip', factor: 0.0002248089430997105, digits: 2, more: 1 },
+    'N m': { unit: 'kip ft', factor: 0.0007375621492772653, digits: 2, more: 1 },
+    'N/m': { unit: 'lbf/ft', factor: 0.06852176585679176, digits: 0, more: -1 },
+    'N s': { unit: 'kip s', factor: 0.0002248089430997105, digits: 4, more: 1 },
+    'Pa': { unit: 'ksi', factor: 1.4503773773020921e-07, digits: 2, more: 1 },
+    'J': { unit: 'kip ft', factor: 0.0007375621492772653, digits: 4, more: 1 },
+    'rad': { unit: 'deg', factor: 57.29577951308232, digits: 2, more: 0 },
+    'rad/s': { unit: 'deg/s', factor: 57.29577951308232, digits: 3, more: 0 },
+    'm': { unit: 'ft', factor: 3.280839895013123, digits: 3, more: 0 },
+    's': { unit: 's', factor: 1, digits: 4, more: 0 },
+    '1': { unit: '–', factor: 1, digits: 6, more: 0 },
+    '-': { unit: '–', factor: 1, digits: 6, more: 0 },
+    'm/s': { unit: 'ft/s', factor: 3.280839895013123, digits: 3, more: 0 },
+    'm/s2': { unit: 'ft/s2', factor: 3.280839895013123, digits: 3, more: 0 },
+    'm3': { unit: 'ft3', factor: 35.314666721488585, digits: 2, more: -1 },
+    '1/m': { unit: '1/ft', factor: 0.3048, digits: 4, more: 1 },
+    'N m2': { unit: 'kip ft2', factor: 0.0024198233244004767, digits: 1, more: 0 },
+    'N m/rad': { unit: 'kip ft/rad', factor: 0.0007375621492772653, digits: 2, more: 1 },
+    'N/m2': { unit: 'lbf/ft2', factor: 0.02088543423315013, digits: 0, more: -1 },
+    'N/m3': { unit: 'lbf/ft3', factor: 0.0063658803542641605, digits: 2, more: 0 },
+    'kg': { unit: 'lb', factor: 2.2046226218487757, digits: 0, more: -3 },
+    'kg/m': { unit: 'lb/ft', factor: 0.6719689751395068, digits: 3, more: 1 },
+  },
 };
 
 /** Quantities along the pipe: key in the lists, name, and how SI values are shown. */
 export const quantities = [
-  { key: 'effective_tension', name: 'Effective tension', unit: 'kN', factor: 0.001, digits: 1 },
-  { key: 'bending_moment', name: 'Bending moment', unit: 'kN m', factor: 0.001, digits: 1 },
-  { key: 'bending_stress', name: 'Bending stress', unit: 'MPa', factor: 1e-06, digits: 1 },
-  { key: 'von_mises', name: 'von Mises stress', unit: 'MPa', factor: 1e-06, digits: 1 },
-  { key: 'strain', name: 'Strain', unit: '%', factor: 100, digits: 4 },
-  { key: 'utilisation', name: 'von Mises stress / yield stress', unit: '–', factor: 1, digits: 6 },
-  { key: 'checks', name: 'Utilisation of code checks', unit: '–', factor: 1, digits: 6 },
+  { key: 'effective_tension', name: 'Effective tension', metric: { unit: 'kN', factor: 0.001, digits: 1, more: 0 }, us: { unit: 'kip', factor: 0.0002248089430997105, digits: 2, more: 1 } },
+  { key: 'bending_moment', name: 'Bending moment', metric: { unit: 'kN m', factor: 0.001, digits: 1, more: 0 }, us: { unit: 'kip ft', factor: 0.0007375621492772653, digits: 2, more: 1 } },
+  { key: 'bending_stress', name: 'Bending stress', metric: { unit: 'MPa', factor: 1e-06, digits: 1, more: 0 }, us: { unit: 'ksi', factor: 1.4503773773020921e-07, digits: 2, more: 1 } },
+  { key: 'von_mises', name: 'von Mises stress', metric: { unit: 'MPa', factor: 1e-06, digits: 1, more: 0 }, us: { unit: 'ksi', factor: 1.4503773773020921e-07, digits: 2, more: 1 } },
+  { key: 'strain', name: 'Strain', metric: { unit: '%', factor: 100, digits: 4, more: 0 }, us: { unit: '%', factor: 100, digits: 4, more: 0 } },
+  { key: 'utilisation', name: 'von Mises stress / yield stress', metric: { unit: '–', factor: 1, digits: 6, more: 0 }, us: { unit: '–', factor: 1, digits: 6, more: 0 } },
+  { key: 'checks', name: 'Utilisation of code checks', metric: { unit: '–', factor: 1, digits: 6, more: 0 }, us: { unit: '–', factor: 1, digits: 6, more: 0 } },
 ] as const;

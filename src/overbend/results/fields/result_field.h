@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "results/fields/shown_unit.h"
+#include "base/shown_unit.h"
 #include "results/fields/words.h"
 
 namespace overbend {

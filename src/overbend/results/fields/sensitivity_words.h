@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "base/shown_unit.h"
 #include "base/units.h"
-#include "results/fields/shown_unit.h"
 #include "results/sensitivity_results.h"
 
 namespace overbend {

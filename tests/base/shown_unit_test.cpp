@@ -1,8 +1,11 @@
-#include "results/fields/shown_unit.h"
+#include "base/shown_unit.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/units.h"
+#include "support/us_units.h"
 
 namespace overbend {
 namespace {
@@ -22,6 +25,31 @@ TEST(shown_unit, goes_by_the_name_for_strains_dents_and_fractions_of_time) {
   EXPECT_EQ(text_of(shown_unit("energy_drift", "1")), "-");
 }
 
+TEST(shown_unit, is_customary_in_the_united_states_where_that_is_asked_for) {
+  const UsUnits units;
+  EXPECT_EQ(shown(1e6 * 0.45359237 * 9.80665, "N", 1), "1000.00 kip");
+  EXPECT_EQ(shown(100.0 * 0.3048, "m", 2), "100.00 ft");
+  EXPECT_EQ(shown(6.894757293168361e6, "Pa", 1), "1.00 ksi");
+  EXPECT_EQ(shown(0.4064, section_length(), 1), "16.000 in");
+  EXPECT_EQ(shown(1355.8179483314004, "N m", 0), "1.0 kip ft");
+  EXPECT_EQ(shown_digits(100.0 * 0.3048, "m", 4), "100 ft");
+}
+
+TEST(shown_unit, us_numbers_keep_the_precision_of_the_metric_ones) {
+  const std::span<const ShownUnit> metric = shown_units(UnitSystem::metric), us = shown_units(UnitSystem::us);
+  ASSERT_EQ(metric.size(), us.size());
+  for (std::size_t i = 0; i < us.size(); ++i) {
+    EXPECT_EQ(us[i].si, metric[i].si);
+    const double last_metric = std::pow(10.0, -metric[i].digits) / metric[i].factor;  // in SI
+    EXPECT_LE(std::pow(10.0, -(metric[i].digits + us[i].more)) / us[i].factor, 2.3 * last_metric) << us[i].name;
+  }
+}
+
+TEST(shown_unit, a_number_is_never_minus_zero_nor_not_a_number) {
+  EXPECT_EQ(shown(-0.04, "m", 1), "0.0 m");
+  EXPECT_EQ(shown_number(std::nan(""), "N", 1), "-");
+}
+
 /// A value that is printed with its unit, as it is pasted into a model file.
 void expect_reads_back(const ShownUnit& unit) {
   const std::string text = unit.name.empty() ? "2 %" : "2 " + std::string(unit.name);
@@ -32,8 +60,10 @@ void expect_reads_back(const ShownUnit& unit) {
 }
 
 TEST(shown_unit, every_unit_that_is_printed_is_read_back_as_the_same_value) {
-  for (const ShownUnit& unit : kShownUnits) expect_reads_back(unit);
-  for (const OwnUnit& own : kOwnUnits) expect_reads_back(own.unit);
+  for (const UnitSystem system : {UnitSystem::metric, UnitSystem::us}) {
+    for (const ShownUnit& unit : shown_units(system)) expect_reads_back(unit);
+    for (const OwnUnit& own : own_units(system)) expect_reads_back(own.unit);
+  }
   for (const char* si : {"1/m", "1/s", "Hz", "N m/rad", "N m2", "kg/m", "m/s", "m2", "m4", "m^2", "N", "N m", "J"}) {
     expect_reads_back({si, si, 1.0, 3});
   }
