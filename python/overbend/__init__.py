@@ -27,7 +27,7 @@ from .seeking import SeekResult, seek
 from .sensitivities import Sensitivities
 from .simulation import Simulation, State
 from .studies import Operability, StudyResults, study
-from .values import LabelledArray, Number, use_xarray
+from .values import LabelledArray, Number, use_units, use_xarray
 
 version = __version__
 
@@ -68,6 +68,7 @@ __all__ = [
     "open",
     "seek",
     "study",
+    "use_units",
     "use_xarray",
     "version",
 ]

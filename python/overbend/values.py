@@ -84,6 +84,19 @@ def use_xarray(use: bool) -> None:
     _use_xarray = use
 
 
+def use_units(system: str) -> None:
+    """Chooses the units of texts, tables of text, reports and figures made from now on; numbers of results stay in SI.
+
+    Args:
+        system: 'metric' (kN, m, MPa), the default, or 'us' (kip, ft, ksi).
+
+    Raises: ValueError for another word.
+    """
+    from . import _core
+
+    _core.use_units(system)
+
+
 @functools.cache
 def _xarray() -> Any:
     try:

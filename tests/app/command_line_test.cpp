@@ -67,6 +67,8 @@ TEST(command_line, a_value_that_an_option_does_not_take_is_named_with_those_that
   EXPECT_EQ(said("study s.yaml --array-limit many"),
             "overbend study: --array-limit: found 'many', expected a whole number from 1 to 1000000\n");
   EXPECT_EQ(said("completion fish"), "overbend completion: FOR: found 'fish', expected bash, zsh or man\n");
+  EXPECT_EQ(said("static m.yaml --units imperial"),
+            "overbend static: --units: found 'imperial', expected metric or us\n");
   EXPECT_EQ(said("static m.yaml --strict=maybe"), "overbend static: --strict: found 'maybe', expected no value\n");
 }
 

@@ -261,15 +261,22 @@ class StudyFigures(Drawing):
 
 class Units(unittest.TestCase):
     def test_figures_use_the_units_of_the_reports(self):
-        source = (ROOT / "src/overbend/results/fields/shown_unit.h").read_text(encoding="utf-8")
-        own = re.findall(r'\{"(\w+)", \{"([^"]+)", "([^"]*)", ([^,]+), (\d+)\}\}', source)
-        of_unit = re.findall(r'(?<!, )\{+"([^"]+)", "([^"]*)", ([^,]+), (\d+)\}', source)
-        self.assertEqual((len(own), len(of_unit)), (3, 12))
-        for si, name, factor, digits in of_unit:
-            value = 180 / np.pi if factor == "kToDegrees" else float(factor)
-            self.assertEqual(shown("", si), (name, value, int(digits)), si)
-        for part, si, name, factor, digits in own:
-            self.assertEqual(shown(part, si), (name, float(factor), int(digits)), part)
+        self.assertEqual(shown("tension", "N"), ("kN", 1e-3, 1))
+        self.assertEqual(shown("strain", "1")[:2], ("%", 100.0))
+
+    def test_figures_and_tables_are_in_us_units_where_that_is_asked_for(self):
+        static = ob.Model.read(EXAMPLES / "bgl1.yaml").static()
+        ob.use_units("us")
+        self.addCleanup(ob.use_units, "metric")
+        axes = static.plot.tension()
+        self.assertRegex(axes.get_ylabel(), r"\[kip\]$")
+        self.assertRegex(axes.get_xlabel(), r"\[ft\]$")
+        self.assertAlmostEqual(float(axes.lines[0].get_ydata().max()), 250.0 / 4.4482216, delta=1.0)  # 250 kN at the top
+        metres = np.asarray(axes.get_xticks())
+        np.testing.assert_allclose(metres / 0.3048, np.round(metres / 0.3048, 3), atol=1e-6)  # round feet
+        self.assertEqual(static.top_tension.units, "N")
+        with self.assertRaisesRegex(ValueError, "found 'imperial', expected 'metric' or 'us'"):
+            ob.use_units("imperial")
 
     def test_a_machine_without_matplotlib_gets_a_clear_error(self):
         code = ("import sys; sys.modules['matplotlib'] = None; import overbend as ob\n"

@@ -121,7 +121,8 @@ def core_subjects():
         "named_values": ([summary, "static.lay_back"], {}), "quantity": (["1 m", "m"], {}), "result_paths": ([], {}),
         "run": ([moving, "run"], run), "seek": ([model, wanted], {}),
         "sensitivities": ([model, "", ["tensioner.tension"], False], {}), "summary_descriptions": ([], {}),
-        "summary_units": ([], {}),
+        "summary_units": ([], {}), "section_length": ([], {}), "shown_unit": (["tension", "N"], {}),
+        "use_units": (["metric"], {}),
     }
     return objects, calls
 

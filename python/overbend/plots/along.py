@@ -69,7 +69,7 @@ class AlongPipe:
     def mark_at(self, at: float, value: float, digits: int, unit: str, more: str = "", colour: str = draw.PIPE) -> None:
         """Marks a value at a distance from the tensioner [m] with number, distance and box."""
         place = self.place(at)
-        text = f"{value:.{digits}f} {unit}".rstrip() + f" at {at:.1f} m" + (f" ({place})" if place else "") + more
+        text = f"{value:.{digits}f} {unit}".rstrip() + f" at {draw.length(at)}" + (f" ({place})" if place else "") + more
         draw.mark(self.ax, at, value, text, colour)
 
 

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
+from .units import shown
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -59,12 +61,34 @@ def label(ax: Axes, title: str, x: str, y: str, lane: float = 0.0, of: str = "")
         of: title of the model, above that of the figure; shortened where the axes are narrow.
         lane: kept free between plot and title [pt].
     """
-    ax.set_xlabel(x, color=SOFT)
-    ax.set_ylabel(y, color=SOFT)
+    ax.set_xlabel(_in_units(ax.xaxis, x), color=SOFT)
+    ax.set_ylabel(_in_units(ax.yaxis, y), color=SOFT)
     rows = _legend(ax, title, lane)
     room = max(20, int(72 * size_of(ax)[0] / 6.5))
     lines = [textwrap.shorten(of, room, placeholder=" ...")] if of else []
     ax.set_title("\n".join([*lines, title]), loc="left", fontsize="medium", fontweight="bold", color=INK, pad=6 + lane + 14 * rows)
+
+
+def _in_units(axis: Any, text: str) -> str:
+    """Counts an axis of metres, "[m]" in its label, in the unit in which lengths are shown. Returns its label."""
+    unit = shown("", "m")
+    if not text.endswith("[m]") or unit.factor == 1.0:
+        return text
+    from matplotlib.ticker import FuncFormatter, MaxNLocator
+
+    class Locator(MaxNLocator):  # type: ignore[misc]  # round numbers of that unit
+        def tick_values(self, vmin: float, vmax: float) -> Any:
+            return np.asarray(super().tick_values(unit.factor * vmin, unit.factor * vmax)) / unit.factor
+
+    axis.set_major_locator(Locator(nbins=8, steps=[1, 2, 2.5, 5, 10]))
+    axis.set_major_formatter(FuncFormatter(lambda metres, _: f"{round(metres * unit.factor, 6):g}"))
+    return f"{text[:-3]}[{unit.unit}]"
+
+
+def length(metres: float) -> str:
+    """Returns a length [m] as text in the unit in which lengths are shown: "84.2 m"."""
+    unit = shown("", "m")
+    return f"{metres * unit.factor:.1f} {unit.unit}"
 
 
 def _legend(ax: Axes, title: str, lane: float) -> int:

@@ -117,16 +117,18 @@ class DynamicPlots:
         Args:
             over: 'time' [s], or 'approach_velocity': the normal velocity at first contact [m/s].
         """
+        unit, factor, digits = shown("peak_force", "N")
+        speed = shown("approach_velocity", "m/s")
         labels = {"time": "Time from the end of the build-up [s]",
-                  "approach_velocity": "Normal velocity at first contact [m/s]"}
+                  "approach_velocity": f"Normal velocity at first contact [{speed.unit}]"}
         if over not in labels:
             raise ValueError(f"over: found {over!r}, expected 'time' or 'approach_velocity'")
         hits = self._run.hardest_impacts if "hardest_impacts" in dir(self._run) else []
         ax = draw.axes(ax)
         if not hits:
-            draw.label(ax, "No impacts", labels[over], "Peak force [kN]", of=self._run.title)
+            draw.label(ax, "No impacts", labels[over], f"Peak force [{unit}]", of=self._run.title)
             return ax
-        force, x = 1e-3 * np.asarray(hits["peak_force"]), np.asarray(hits[over])
+        force, x = factor * np.asarray(hits["peak_force"]), (1.0 if over == "time" else speed.factor) * np.asarray(hits[over])
         rollers = self._run.rollers
         at = np.asarray(hits["roller"], dtype=int)
         position = np.asarray(rollers["position"]).astype(str)[at]
@@ -137,11 +139,11 @@ class DynamicPlots:
         end = max(float(self._run.duration), float(x.max())) if over == "time" else 1.08 * float(x.max()) or 1.0
         ax.set_xlim(0.0, end)
         ax.set_ylim(0.0, 1.2 * float(force.max()))
-        draw.label(ax, f"Peak force of the {len(hits)} hardest impacts", labels[over], "Peak force [kN]",
+        draw.label(ax, f"Peak force of the {len(hits)} hardest impacts", labels[over], f"Peak force [{unit}]",
                    of=self._run.title)
         hardest = int(force.argmax())
         box = str(np.asarray(self._run.static.supports["name"])[int(np.asarray(rollers["box"])[at[hardest]])])
-        draw.mark(ax, float(x[hardest]), float(force[hardest]), f"{force[hardest]:.1f} kN ({box}, {position[hardest]})",
+        draw.mark(ax, float(x[hardest]), float(force[hardest]), f"{force[hardest]:.{digits}f} {unit} ({box}, {position[hardest]})",
                   draw.ROLLERS[position[hardest]])
         return ax
 
@@ -158,8 +160,9 @@ class DynamicPlots:
         box, row = (np.asarray(rollers[key], dtype=int)[these] for key in ("box", "row"))
         first = np.array([np.flatnonzero(slots.box_of_row == k)[0] for k in range(len(slots.names))])
         at = slots.of_row[first[box] + row]
-        low, high, mean = (1e-3 * np.asarray(rollers[f"reaction_{key}"])[these] for key in ("min", "max", "mean"))
-        static = 1e-3 * np.asarray(rollers["static_reaction"])[these]
+        unit, factor, digits = shown("reaction", "N")
+        low, high, mean = (factor * np.asarray(rollers[f"reaction_{key}"])[these] for key in ("min", "max", "mean"))
+        static = factor * np.asarray(rollers["static_reaction"])[these]
         loaded = (high > 0) | (static > 0)
         ax = draw.axes(ax)
         ax.bar(at[loaded], (high - low)[loaded], 0.72, low[loaded], color=draw.BAND, edgecolor=draw.DYNAMIC,
@@ -170,9 +173,9 @@ class DynamicPlots:
         ax.set_ylim(0.0, draw.room(0.0, max(high.max(), static.max()) or 1.0)[1])
         slots.furnish(ax)
         draw.label(ax, f"{position.capitalize()} rollers", "Roller rows of each box, from the tensioner astern",
-                   "Reaction [kN]", of=self._run.title)
+                   f"Reaction [{unit}]", of=self._run.title)
         most = int(high.argmax())
-        draw.mark(ax, at[most], high[most], f"{high[most]:.1f} kN ({slots.names[box[most]]})", draw.DYNAMIC)
+        draw.mark(ax, at[most], high[most], f"{high[most]:.{digits}f} {unit} ({slots.names[box[most]]})", draw.DYNAMIC)
         return ax
 
 

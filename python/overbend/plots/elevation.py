@@ -42,7 +42,7 @@ def elevation(static: Any, ax: Optional[Any], overbend: bool) -> Any:
     touchdown = static.touchdown
     at = float(touchdown["astern"])
     ax.plot([at], [float(touchdown["z"])], "o", color=draw.ACCENT, markeredgecolor="white", markersize=7, zorder=5)
-    ax.annotate(f"touchdown at {at:.1f} m", (at, float(touchdown["z"])), xytext=(0, 9), textcoords="offset points",
+    ax.annotate(f"touchdown at {draw.length(at)}", (at, float(touchdown["z"])), xytext=(0, 9), textcoords="offset points",
                 ha="center", color=draw.ACCENT, fontsize="small", fontweight="bold", path_effects=draw.halo(), zorder=6)
     ax.set_aspect("equal", adjustable="box")
     return ax

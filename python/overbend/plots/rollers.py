@@ -8,6 +8,7 @@ import numpy as np
 
 from . import drawing as draw
 from .along import has_supports
+from .units import shown, small
 
 _GAP = 0.8  # between boxes, in widths of a row
 
@@ -64,7 +65,8 @@ def roller_bars(static: Any, what: str, ax: Optional[Any], position: str = "bott
 
 
 def _reactions(static: Any, ax: Any, slots: Slots, rows: np.ndarray, positions: np.ndarray) -> None:
-    values = 1e-3 * np.asarray(static.rollers["reaction"])
+    unit, factor, digits = shown("reaction", "N")
+    values = factor * np.asarray(static.rollers["reaction"])
     below = np.zeros(len(slots.of_row))
     for position, colour in draw.ROLLERS.items():
         these = positions == position
@@ -74,19 +76,20 @@ def _reactions(static: Any, ax: Any, slots: Slots, rows: np.ndarray, positions: 
         ax.bar(at, values[these], 0.72, below[rows[these]], color=colour, label=position, zorder=2)
         np.add.at(below, rows[these], values[these])
     ax.set_ylim(0.0, draw.room(0.0, float(below.max()) or 1.0)[1])
-    draw.label(ax, "Normal reactions", "Roller rows of each box, from the tensioner astern", "Reaction [kN]",
+    draw.label(ax, "Normal reactions", "Roller rows of each box, from the tensioner astern", f"Reaction [{unit}]",
                of=static.title)
     most = int(values.argmax())
     if values[most] > 0:
         name = slots.names[slots.box_of_row[rows[most]]]
-        draw.mark(ax, slots.of_row[rows[most]], below[rows[most]], f"{values[most]:.1f} kN ({name}, {positions[most]})",
+        draw.mark(ax, slots.of_row[rows[most]], below[rows[most]], f"{values[most]:.{digits}f} {unit} ({name}, {positions[most]})",
                   draw.ROLLERS[positions[most]])
 
 
 def _separations(static: Any, ax: Any, slots: Slots, rows: np.ndarray, these: np.ndarray, position: str) -> None:
     if not these.any():
         raise ValueError(f"position: found {position!r}, but no box has {position} rollers")
-    values = 1e3 * np.asarray(static.rollers["separation"])[these]
+    unit, factor, digits = small()
+    values = factor * np.asarray(static.rollers["separation"])[these]
     at = slots.of_row[rows[these]]
     passed = np.isnan(values) | (np.asarray(static.rollers["off_end"])[these] > 0)
     colour = draw.ROLLERS[position]
@@ -95,6 +98,6 @@ def _separations(static: Any, ax: Any, slots: Slots, rows: np.ndarray, these: np
         ax.plot(at[passed], np.zeros(passed.sum()), "x", color=colour, zorder=4,
                 label="the pipe has passed the end of the roller")
     ax.set_ylim(*draw.room(*draw.extent(values[~passed]), above=0.12, below=0.12, zero=True))
-    least = f"; smallest {np.min(values[~passed]):.2f} mm" if not passed.all() else ""
+    least = f"; smallest {np.min(values[~passed]):.{digits + 1}f} {unit}" if not passed.all() else ""
     draw.label(ax, f"{position.capitalize()} rollers{least}", "Roller rows of each box, from the tensioner astern",
-               "Separation [mm]", of=static.title)
+               f"Separation [{unit}]", of=static.title)

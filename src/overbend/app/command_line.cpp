@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <set>
 
 #include "app/commands.h"
 #include "app/described_commands.h"
@@ -15,6 +16,7 @@
 #include "app/option_faults.h"
 #include "app/study_command.h"
 #include "base/interruption.h"
+#include "base/shown_unit.h"
 #include "base/simd.h"
 #include "base/text.h"
 #include "base/version.h"
@@ -26,6 +28,8 @@ namespace overbend {
 namespace {
 
 constexpr const char* kStrictHelp = "Exit code 4 if a code check is exceeded; the results are still written";
+/// Commands that print no results.
+const std::set<std::string> kWithoutResults = {"new", "schema", "licences", "completion", "check-results"};
 constexpr const char* kStageHelp = "One stage of the model's operation on the line alone, by its number or name";
 
 void add_check(CLI::App& program, int& code) {
@@ -285,6 +289,19 @@ std::string unknown_command(const CLI::App& program, int count, const char* cons
                      near.empty() ? "the commands are " + join_words(names, "and") : "did you mean '" + near + "'?");
 }
 
+/// The option of every command that prints results. CLI11 takes the variable where the option is not given.
+void add_units(CLI::App& program) {
+  for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (kWithoutResults.contains(command->get_name())) continue;
+    command
+        ->add_option_function<std::string>(
+            "--units", [](const std::string& word) { use_units(word == "us" ? UnitSystem::us : UnitSystem::metric); },
+            "Units of texts, tables and reports: metric, or us for kip, ft, ksi; default: the variable OVERBEND_UNITS")
+        ->check(one_of_words({"metric", "us"}))
+        ->envname("OVERBEND_UNITS");
+  }
+}
+
 }  // namespace
 
 int run_command_line(int count, const char* const* words) {
@@ -306,6 +323,7 @@ int run_command_line(int count, const char* const* words) {
   add_schema(program, code);
   add_licences(program, code);
   add_completion(program, code);
+  add_units(program);
   try {
     best_isa();
   } catch (const std::invalid_argument& fault) {  // before anything is computed

@@ -28,7 +28,7 @@ void write_along(DatasetSink& file, std::size_t number, const FatigueSpot& spot)
 }  // namespace
 
 std::string fatigue_table(const DynamicResults& results) {
-  std::vector<std::string> head = {headed("s", "m"), headed("from tensioner", "m")};
+  std::vector<std::string> head = {headed("s", shown_name("m")), headed("from tensioner", shown_name("m"))};
   for (const FatigueSpot& spot : results.fatigue->spots) {
     auto name = [&](const ResultField& field, const std::vector<double>&) {
       head.push_back(headed(spot.name + " " + std::string(field.heading), shown_unit(field).name));
@@ -37,7 +37,8 @@ std::string fatigue_table(const DynamicResults& results) {
   }
   CsvTable table(head);
   for (std::size_t i = 0; i < results.station_s.size(); ++i) {
-    table.cell(results.station_s[i]).cell(results.station_s.back() - results.station_s[i]);
+    const double metre = shown_unit("m").factor;
+    table.cell(metre * results.station_s[i]).cell(metre * (results.station_s.back() - results.station_s[i]));
     for (const FatigueSpot& spot : results.fatigue->spots) {
       auto value = [&](const ResultField& field, const std::vector<double>& values) {
         table.cell(values[i] * shown_unit(field).factor);

@@ -1,5 +1,6 @@
 #include "serve/model_routes.h"
 
+#include "base/shown_unit.h"
 #include "base/version.h"
 #include "modelfile/json_schema.h"
 #include "serve/new_dialogue.h"
@@ -78,6 +79,14 @@ HttpAnswer example(const HttpRequest& request) {
   throw HttpFault(404, "there is no example " + request.parts[0]);
 }
 
+/// Of everything that the program prints from now on; the page loads anew to show it.
+HttpAnswer choose_units(const HttpRequest& request) {
+  const std::string units = text_of(request.json(), "units");
+  if (units != "metric" && units != "us") throw HttpFault(400, "'units' is metric or us");
+  use_units(units == "us" ? UnitSystem::us : UnitSystem::metric);
+  return json_answer({{"units", units}});
+}
+
 }  // namespace
 
 void add_model_routes(std::vector<HttpRoute>& routes, OpenModel& model) {
@@ -88,6 +97,7 @@ void add_model_routes(std::vector<HttpRoute>& routes, OpenModel& model) {
   routes.push_back({"GET", "/api/licences", [](const HttpRequest&) {
                       return HttpAnswer{200, "text/plain; charset=utf-8", licence_texts(), ""};
                     }});
+  routes.push_back({"POST", "/api/units", choose_units});
   routes.push_back({"GET", "/api/model", [&](const HttpRequest&) { return json_answer(model_json(model.now())); }});
   routes.push_back({"PUT", "/api/model", [&](const HttpRequest& r) { return put_model(model, r); }});
   routes.push_back({"POST", "/api/model/set", [&](const HttpRequest& r) { return set_keys(model, r); }});

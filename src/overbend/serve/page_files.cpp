@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "base/shown_unit.h"
 #include "base/yaml_document.h"
 #include "serve/embedded_files.h"
 
@@ -49,6 +50,16 @@ std::vector<Example> find_examples() {
   return found;
 }
 
+/// The page learns from its first element in which units values are shown.
+std::string in_units_in_use(std::string page) {
+  constexpr std::string_view kElement = "<html ";
+  const std::size_t element = page.find(kElement);
+  if (units_in_use() == UnitSystem::us && element != std::string::npos) {
+    page.insert(element + kElement.size(), "data-units=\"us\" ");
+  }
+  return page;
+}
+
 }  // namespace
 
 std::string_view embedded_text(const std::string& path) {
@@ -67,9 +78,10 @@ std::string licence_texts() {
 
 HttpAnswer page_file(const std::string& path) {
   const std::string name = path == "/" ? "/index.html" : path;
-  const std::string_view bytes = embedded_text("page" + name);
+  std::string bytes(embedded_text("page" + name));
   if (bytes.empty()) return error_answer(404, "there is nothing at " + path);
-  return {200, media_type(name), std::string(bytes), ""};
+  if (name == "/index.html") bytes = in_units_in_use(std::move(bytes));
+  return {200, media_type(name), std::move(bytes), ""};
 }
 
 const std::vector<Example>& examples() {

@@ -3,7 +3,7 @@ import type { Check, Envelopes, Lay, LineAtRest, LineParts, RunSummary, Scene, V
 import { bedHeight } from '../logic/bed';
 import { resample } from '../logic/decimate';
 import { partAt, type PartName } from '../logic/operation';
-import { quantity } from '../logic/show';
+import { quantity, shownUnit, unitName } from '../logic/show';
 import type { Line } from '../logic/table';
 
 export interface ChartData {
@@ -16,6 +16,11 @@ export interface ChartData {
   /** Name of every x, for bars. */
   names?: string[];
 }
+
+/** Lengths and forces as they are drawn;  */
+const metres = (v: number): number => v * shownUnit('m').factor;
+const newtons = (v: number): number => v * shownUnit('N').factor;
+const inMetres = `[${unitName('m')}]`, inNewtons = `[${unitName('N')}]`;
 
 const ink = { now: '#0b66c2', band: '#e07b1a', mean: '#8a96a3', run: '#5d7f2f', bed: '#a8905a' };
 
@@ -39,8 +44,8 @@ function surroundings(scene: Scene | null, plan: boolean, places: { x: number[];
   if (plan || !scene) return { lines: [], level: [] };
   const water = { y: 0, label: 'water', kind: 'water' as const };
   const { shape: uneven, normal } = scene.seabed;
-  if (!uneven && normal[0] === 0 && normal[1] === 0) return { lines: [], level: [water, { y: -scene.water_depth, label: 'seabed', kind: 'bed' }] };
-  return { lines: [{ name: 'seabed', colour: ink.bed, values: places.x.map((x, i) => bedHeight(scene.seabed, x, places.y[i]!)), width: 1.4 }], level: [water] };
+  if (!uneven && normal[0] === 0 && normal[1] === 0) return { lines: [], level: [water, { y: metres(-scene.water_depth), label: 'seabed', kind: 'bed' }] };
+  return { lines: [{ name: 'seabed', colour: ink.bed, values: places.x.map((x, i) => metres(bedHeight(scene.seabed, x, places.y[i]!))), width: 1.4 }], level: [water] };
 }
 
 /** Pipe, head and cable as lines of their own; each goes on to the first point of the next. */
@@ -64,9 +69,9 @@ export function shape(s: Lay, scene: Scene | null, plan: boolean, parts: LinePar
   const at = (place: number): number => resample(arc, x, [place])[0] ?? 0;
   const around = surroundings(scene, plan, { x: s.pipe.x.slice(0, n), y: s.pipe.y.slice(0, n) });
   return {
-    title: plan ? 'Plan of the pipe' : 'Elevation of the pipe', xName: 'horizontal distance from the tensioner [m]', yName: plan ? 'off line [m]' : 'height above water [m]', x, s: arc,
-    lines: [...around.lines, ...(parts ? partLines(arc, values, parts) : [{ name: 'pipe', colour: ink.now, values, width: 2.2 }])],
-    marks: plan ? [] : s.supports.map((b) => ({ x: at(b.s), y: b.place[2], label: b.name })),
+    title: plan ? 'Plan of the pipe' : 'Elevation of the pipe', xName: `horizontal distance from the tensioner ${inMetres}`, yName: `${plan ? 'off line' : 'height above water'} ${inMetres}`, x: x.map(metres), s: arc,
+    lines: [...around.lines, ...(parts ? partLines(arc, values.map(metres), parts) : [{ name: 'pipe', colour: ink.now, values: values.map(metres), width: 2.2 }])],
+    marks: plan ? [] : s.supports.map((b) => ({ x: metres(at(b.s)), y: metres(b.place[2]), label: b.name })),
     level: around.level,
   };
 }
@@ -104,12 +109,12 @@ export function along(key: string, s: Lay, e: Envelopes | null, checks: readonly
     if (band.mean) lines.push({ name: 'mean', colour: ink.mean, values: scaled(band.mean), dash: true });
     lines.push({ name: 'static', colour: ink.now, values: nowAtRun, width: 2 });
   } else lines.push({ name: 'static', colour: ink.now, values, width: 2 });
-  return { title: q.name, xName: 'arc length from the tensioner [m]', yName: `${q.name.toLowerCase().replace('von mises', 'von Mises')} [${q.unit}]`, x, s: x, lines, marks: s.supports.map((b) => ({ x: b.s, y: Number.NaN, label: b.name })), level: allowed(key, s, checks, q.factor) };
+  return { title: q.name, xName: `arc length from the tensioner ${inMetres}`, yName: `${q.name.toLowerCase().replace('von mises', 'von Mises')} [${q.unit}]`, x: x.map(metres), s: x, lines, marks: s.supports.map((b) => ({ x: metres(b.s), y: Number.NaN, label: b.name })), level: allowed(key, s, checks, q.factor) };
 }
 
 /** Tension of a line by itself. */
 export function lineTension(line: LineAtRest): ChartData {
-  return { title: `Tension of ${line.name}`, xName: 'unstressed length from the first end [m]', yName: 'effective tension [kN]', x: line.s, s: line.s, lines: [{ name: line.name, colour: ink.now, values: line.tension.map((t) => t / 1e3), width: 2 }], marks: [], level: [] };
+  return { title: `Tension of ${line.name}`, xName: `unstressed length from the first end ${inMetres}`, yName: `effective tension ${inNewtons}`, x: line.s.map(metres), s: line.s, lines: [{ name: line.name, colour: ink.now, values: line.tension.map(newtons), width: 2 }], marks: [], level: [] };
 }
 
 /** A line from one end to the other, as far as they are apart: from the side, or from above. */
@@ -122,8 +127,8 @@ export function lineShape(line: { name: string; shape: Vector[] }, scene: Scene 
   const off = line.shape.map((p) => Math.round((1e3 * ((p[0] - from[0]) * uy - (p[1] - from[1]) * ux)) / size) / 1e3 || 0);
   const around = surroundings(scene, plan, { x: line.shape.map((p) => p[0]), y: line.shape.map((p) => p[1]) });
   return {
-    title: `${plan ? 'Plan' : 'Elevation'} of ${line.name}`, xName: 'horizontal distance along the line [m]', yName: plan ? 'off line [m]' : 'height above water [m]', x, s: x,
-    lines: [...around.lines, { name: line.name, colour: ink.now, values: plan ? off : line.shape.map((p) => p[2]), width: 2.2 }], marks: [],
+    title: `${plan ? 'Plan' : 'Elevation'} of ${line.name}`, xName: `horizontal distance along the line ${inMetres}`, yName: `${plan ? 'off line' : 'height above water'} ${inMetres}`, x: x.map(metres), s: x,
+    lines: [...around.lines, { name: line.name, colour: ink.now, values: (plan ? off : line.shape.map((p) => p[2])).map(metres), width: 2.2 }], marks: [],
     level: around.level,
   };
 }
@@ -131,12 +136,12 @@ export function lineShape(line: { name: string; shape: Vector[] }, scene: Scene 
 /** With a run the greatest of the run stands behind the static reaction. */
 export function reactions(s: Lay, run: RunSummary['dynamic'] | undefined): ChartData {
   const x = s.supports.map((b) => b.s);
-  const before = s.supports.map((b) => b.reaction / 1e3);
-  const most = run ? s.supports.map((b) => { const r = run.supports.find((o) => o.name === b.name); return r ? r.reaction.max / 1e3 : null; }) : null;
+  const before = s.supports.map((b) => newtons(b.reaction));
+  const most = run ? s.supports.map((b) => { const r = run.supports.find((o) => o.name === b.name); return r ? newtons(r.reaction.max) : null; }) : null;
   return {
-    title: 'Box reactions', xName: 'arc length from the tensioner [m]', yName: 'reaction [kN]', x, s: x, names: s.supports.map((b) => b.name),
+    title: 'Box reactions', xName: `arc length from the tensioner ${inMetres}`, yName: `reaction ${inNewtons}`, x: x.map(metres), s: x, names: s.supports.map((b) => b.name),
     lines: [...(most ? [{ name: 'largest of the run', colour: ink.band, values: most, width: -1 }] : []), { name: most ? 'static' : 'reaction', colour: most ? ink.now : ink.band, values: before, width: -1 }],
-    marks: s.supports.map((b, i) => ({ x: b.s, y: Number.NaN, label: b.name, over: Math.max(before[i]!, most?.[i] ?? 0) })), level: [],
+    marks: s.supports.map((b, i) => ({ x: metres(b.s), y: Number.NaN, label: b.name, over: Math.max(before[i]!, most?.[i] ?? 0) })), level: [],
   };
 }
 

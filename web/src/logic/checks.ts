@@ -1,5 +1,6 @@
 // Code checks in the order in which they matter.
 import type { Check, SheetLine } from '../api/types';
+import { display } from './show';
 
 const regions = ['tower', 'overbend', 'stinger tip', 'sagbend', 'seabed', 'line'];
 
@@ -24,11 +25,9 @@ export const level = (c: Check): 'over' | 'near' | 'good' | 'open' =>
 
 export const regionName = (region: string): string => (region === 'line' ? 'whole line' : region);
 
-const shown: Record<string, [string, number]> = { Pa: ['MPa', 1e-6], N: ['kN', 1e-3], 'N m': ['kN m', 1e-3], m: ['mm', 1e3], 1: ['', 1] };
-
 /** Value of a line of a calculation sheet with its unit: "448 MPa". */
 export function sheetValue(line: SheetLine): string {
-  const [unit, factor] = shown[line.units] ?? [line.units, 1];
+  const [unit, factor] = line.units === '1' ? ['', 1] : display(line.units === 'm' ? 'mm' : line.units);
   const value = line.value * factor;
   const text = Number(value.toPrecision(6)).toString();
   return unit ? `${text} ${unit}` : text;

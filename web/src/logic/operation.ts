@@ -1,5 +1,6 @@
 // Operations on the line: the table of stages, and what of a stage's line is pipe, head and cable.
 import type { LineParts, Operation, OperationStage, StageValues } from '../api/types';
+import { fixedIn, unitName } from './show';
 
 export type PartName = 'pipe' | 'head' | 'cable';
 
@@ -25,36 +26,39 @@ export function stageLevel(stage: OperationStage): StageLevel {
 
 export const stageColours: Record<StageLevel, string> = { good: '#2e9e57', near: '#e08a00', over: '#c3271b', unknown: '#5b6b7a', gone: '#c3271b' };
 
-export interface StageColumn { name: string; unit: string; title: string; factor: number; digits: number; value: (s: OperationStage) => number | null }
+/** `unit`: SI, of values that are shown in the unit of the page; '%' and '' are of their own. */
+export interface StageColumn { name: string; unit: string; title: string; digits: number; value: (s: OperationStage) => number | null }
 
-const of = (name: string, unit: string, title: string, factor: number, digits: number, key: keyof StageValues): StageColumn =>
-  ({ name, unit, title, factor, digits, value: (s) => (s.values ? (s.values[key] as number | null) : null) });
+const of = (name: string, unit: string, title: string, digits: number, key: keyof StageValues): StageColumn =>
+  ({ name, unit, title, digits, value: (s) => (s.values ? (s.values[key] as number | null) : null) });
 
 /** Columns that say something at any stage. */
 export function columnsOf(o: Operation): StageColumn[] {
   const all: StageColumn[] = [
-    { name: o.out_name.toLowerCase(), unit: 'm', title: 'How far the line has gone', factor: 1, digits: 1, value: (s) => s.out },
-    of('top', 'kN', 'Tension at the top', 1e-3, 1, 'top_tension'),
-    of('bottom', 'kN', 'Horizontal tension at touchdown', 1e-3, 1, 'bottom_tension'),
-    of('head z', 'm', 'Height of the head above the water', 1, 1, 'head_z'),
-    of('head x', 'm', 'Head, astern of the stern shoe', 1, 1, 'head_x'),
-    of('sagbend', 'MPa', 'Largest von Mises stress of the sagbend', 1e-6, 0, 'sagbend_von_mises'),
-    of('strain', '%', 'Largest strain of the sagbend', 100, 3, 'sagbend_strain'),
-    of('tip', 'm', 'Clearance at the stinger tip', 1, 2, 'stinger_tip_clearance'),
-    of('roller', 'kN', 'Largest load of a roller', 1e-3, 1, 'largest_reaction'),
-    of('cable', '%', 'Largest tension of the cable over its breaking load', 100, 1, 'cable_utilisation'),
-    { name: 'ahead', unit: 'm', title: 'Barge ahead of its place at the first stage', factor: 1, digits: 1, value: (s) => (s.values && o.stages.some((x) => Math.abs(x.barge_ahead) > 5e-3) ? s.barge_ahead : null) },
-    of('use', '', 'Largest utilisation of the governing checks and the cable', 1, 3, 'utilisation'),
+    { name: o.out_name.toLowerCase(), unit: 'm', title: 'How far the line has gone', digits: 1, value: (s) => s.out },
+    of('top', 'N', 'Tension at the top', 1, 'top_tension'),
+    of('bottom', 'N', 'Horizontal tension at touchdown', 1, 'bottom_tension'),
+    of('head z', 'm', 'Height of the head above the water', 1, 'head_z'),
+    of('head x', 'm', 'Head, astern of the stern shoe', 1, 'head_x'),
+    of('sagbend', 'Pa', 'Largest von Mises stress of the sagbend', 0, 'sagbend_von_mises'),
+    of('strain', '%', 'Largest strain of the sagbend', 3, 'sagbend_strain'),
+    of('tip', 'm', 'Clearance at the stinger tip', 2, 'stinger_tip_clearance'),
+    of('roller', 'N', 'Largest load of a roller', 1, 'largest_reaction'),
+    of('cable', '%', 'Largest tension of the cable over its breaking load', 1, 'cable_utilisation'),
+    { name: 'ahead', unit: 'm', title: 'Barge ahead of its place at the first stage', digits: 1, value: (s) => (s.values && o.stages.some((x) => Math.abs(x.barge_ahead) > 5e-3) ? s.barge_ahead : null) },
+    of('use', '', 'Largest utilisation of the governing checks and the cable', 3, 'utilisation'),
   ];
   return all.filter((c) => o.stages.some((s) => c.value(s) !== null));
 }
+
+export const columnUnit = (c: StageColumn): string => (c.unit === '%' || c.unit === '' ? c.unit : unitName(c.unit));
 
 /** Never "-0". */
 export function cell(c: StageColumn, s: OperationStage): string {
   const v = c.value(s);
   if (v === null) return '–';
-  const text = (v * c.factor).toFixed(c.digits);
-  return Number(text) === 0 ? (0).toFixed(c.digits) : text;
+  const text = c.unit === '%' ? (100 * v).toFixed(c.digits) : c.unit === '' ? v.toFixed(c.digits) : fixedIn(v, c.unit, c.digits);
+  return Number(text) === 0 ? text.replace('-', '') : text;
 }
 
 export const stageName = (s: OperationStage, i: number): string => (s.name && s.name !== `stage ${i + 1}` ? `${i + 1} ${s.name}` : String(i + 1));
@@ -63,6 +67,6 @@ export const stageName = (s: OperationStage, i: number): string => (s.name && s.
 export function whyNot(s: OperationStage): string {
   const f = s.failure;
   if (!f) return '';
-  const least = f.least_tension === null ? '' : ` It can be with ${(f.least_tension / 1e3).toFixed(1)} kN or more at the top.`;
+  const least = f.least_tension === null ? '' : ` It can be with ${fixedIn(f.least_tension, 'N', 1)} ${unitName('N')} or more at the top.`;
   return `${[f.what, f.where].filter(Boolean).join(', ')}${f.why ? `: ${f.why}` : ''}.${least}`.replace('..', '.');
 }

@@ -1,16 +1,36 @@
 // How results are shown: names, units and factors from SI come from the program's table of quantities.
-import { quantities, shownUnits } from '../api/results';
+import { quantities as table, shownUnits, type ShownUnit } from '../api/results';
+import { tidy } from './units';
 
-export { quantities };
+/** The system of units of everything shown; the program says it with the page. Typed values keep the unit they have. */
+export const unitSystem: 'metric' | 'us' = typeof document !== 'undefined' && document.documentElement.dataset.units === 'us' ? 'us' : 'metric';
+
+export const quantities = table.map(({ metric, us, ...q }) => ({ ...q, ...(unitSystem === 'us' ? us : metric) }));
 export type Shown = (typeof quantities)[number];
 
 export const quantity = (key: string): Shown | undefined => quantities.find((q) => q.key === key);
 
+const millimetre: ShownUnit = unitSystem === 'us' ? { unit: 'in', factor: 1 / 0.0254, digits: 3, more: 2 } : { unit: 'mm', factor: 1e3, digits: 1, more: 0 };
+
+/** How values of an SI unit are shown; "mm": the lengths of a section [m]. */
+export const shownUnit = (si: string): ShownUnit => (si === 'mm' ? millimetre : shownUnits[unitSystem][si] ?? { unit: si, factor: 1, digits: 3, more: 0 });
+
 /** Unit and factor in which values of an SI unit are shown. */
-export function display(unit: string): [string, number] {
-  const shown = shownUnits[unit];
-  return shown ? [shown.unit, shown.factor] : [unit, 1];
+export function display(si: string): [string, number] {
+  const shown = shownUnit(si);
+  return [shown.unit, shown.factor];
 }
+
+/** An SI value as it is shown, without its unit: about `digits` significant figures. */
+export const numberIn = (value: number, si: string, digits = 4): string => tidy(value * shownUnit(si).factor, digits);
+
+/** The same with its unit: "276.5 kN". */
+export const text = (value: number, si: string, digits = 4): string => `${numberIn(value, si, digits)} ${shownUnit(si).unit}`;
+
+/** With so many decimals as a metric value has. */
+export const fixedIn = (value: number, si: string, decimals: number): string => { const u = shownUnit(si); return (value * u.factor).toFixed(Math.max(0, decimals + u.more)); };
+
+export const unitName = (si: string): string => shownUnit(si).unit;
 
 export function duration(seconds: number): string {
   if (!Number.isFinite(seconds)) return '–';

@@ -39,12 +39,14 @@ const table: Record<string, Unit> = {
   s: { family: 'time', factor: 1 },
   min: { family: 'time', factor: 60, twin: 's' },
   h: { family: 'time', factor: 3600, twin: 's' },
-  'kN*m': { family: 'moment', factor: 1e3 },
+  'kN m': { family: 'moment', factor: 1e3, twin: 'kip ft' },
+  'kip ft': { family: 'moment', factor: 1355.8179483314004, twin: 'kN m' },
+  'lbf/ft': { family: 'stiffness', factor: 14.593902937206, twin: 'kN/m' },
   'kN/m': { family: 'stiffness', factor: 1e3, twin: 'kip/ft' },
   'kip/ft': { family: 'stiffness', factor: 14593.902937206, twin: 'kN/m' },
 };
 
-const alias: Record<string, string> = { te: 't', mt: 't', tonf: 'tf', inch: 'in', knots: 'knot', kn: 'knot', sec: 's', hour: 'h', degree: 'deg', degrees: 'deg', '"': 'in', "'": 'ft' };
+const alias: Record<string, string> = { 'kN*m': 'kN m', 'kip*ft': 'kip ft', te: 't', mt: 't', tonf: 'tf', inch: 'in', knots: 'knot', kn: 'knot', sec: 's', hour: 'h', degree: 'deg', degrees: 'deg', '"': 'in', "'": 'ft' };
 
 export interface Quantity { number: number; unit: string }
 

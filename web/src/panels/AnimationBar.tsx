@@ -1,6 +1,6 @@
 // Time slider, speed and state of the tensioner under the picture.
 import { tensionerState } from '../logic/tensioner';
-import { tidy } from '../logic/units';
+import { fixedIn, text, unitName } from '../logic/show';
 import { byPath } from '../state/model';
 import { active, close, first, histories, last, peakAt, playing, seek, shown, speed, time, valueAt } from '../state/animation';
 import { select } from '../state/runs';
@@ -22,8 +22,8 @@ function Readings() {
   return (
     <span class="readings">
       {state ? <span class={`tag ${state.tone}`} title="What the tensioner does">tensioner {state.words}</span> : null}
-      {tension !== null ? <span class={`reading${range?.[1] === 'bad' ? ' out' : ''}`} title={range ? `Tension, ${range[0]}` : 'Tension'}>{tidy(tension / 1e3, 4)} kN</span> : null}
-      {travel !== null ? <span class="reading" title="Pipe paid out by the tensioner, hauled in negative"><small>travel</small> {travel.toFixed(2)} m</span> : null}
+      {tension !== null ? <span class={`reading${range?.[1] === 'bad' ? ' out' : ''}`} title={range ? `Tension, ${range[0]}` : 'Tension'}>{text(tension, 'N')}</span> : null}
+      {travel !== null ? <span class="reading" title="Pipe paid out by the tensioner, hauled in negative"><small>travel</small> {fixedIn(travel, 'm', 2)} {unitName('m')}</span> : null}
     </span>
   );
 }

@@ -4,7 +4,10 @@ import { calm, failure } from '../state/live';
 import { asking, dialog, theme, type DialogName } from '../state/look';
 import { leadToFault } from '../state/lead';
 import { connected } from '../state/connection';
+import { unitSystem } from '../logic/show';
 import { tidy } from '../logic/units';
+import { post } from '../api/client';
+import { sayError } from '../state/notices';
 import { keyName } from '../logic/findings';
 
 export function saveNow(): void {
@@ -16,6 +19,9 @@ export function saveNow(): void {
 export function ask(next: DialogName): void {
   if (unsaved.value) asking.value = next; else dialog.value = next;
 }
+
+/** The program prints in these units from now on, and the page is loaded anew in them. */
+const chooseUnits = (units: 'metric' | 'us'): Promise<void> => post('units', { units }).then(() => location.reload()).catch(sayError);
 
 function Status() {
   if (!connected.value) return <span class="status bad">no connection to the program</span>;
@@ -41,6 +47,7 @@ export function Header() {
         <button type="button" disabled={!canRedo.value} aria-label="Redo" title="Redo (Ctrl+Y)" onClick={redo}>↷</button>
       </nav>
       <Status />
+      <button type="button" aria-label={`Units: ${unitSystem === 'us' ? 'US customary' : 'metric'}`} title={`Results, tables and reports in ${unitSystem === 'us' ? 'metric units' : 'US customary units'}; the model keeps the units in which it is written`} onClick={() => void chooseUnits(unitSystem === 'us' ? 'metric' : 'us')}>{unitSystem === 'us' ? 'US' : 'SI'}</button>
       <button type="button" aria-label={theme.value === 'dark' ? 'Light colours' : 'Dark colours'} title="Light or dark" onClick={() => { theme.value = theme.value === 'dark' ? 'light' : 'dark'; }}>{theme.value === 'dark' ? '☀' : '☾'}</button>
     </header>
   );

@@ -2,7 +2,7 @@
 import { signal } from '@preact/signals';
 import type { LineAtRest, MooringLine, VesselOffset } from '../api/types';
 import { columnsFor, levelColours, lineLevel, sorted, type Column } from '../logic/moorings';
-import { display } from '../logic/show';
+import { display, numberIn, unitName } from '../logic/show';
 import { tidy, twin } from '../logic/units';
 import { failure } from '../state/live';
 import { picked } from '../state/look';
@@ -117,15 +117,15 @@ export function LineValues({ name }: { name: string }) {
     return (
       <dl class="values"><div class="kv"><dt>{name}</dt><dd>{moored.slack ? 'slack' : ''}</dd></div>
         {columnsFor([moored]).map((c) => <div key={c.key} class="kv"><dt>{c.words}</dt><dd>{value(moored, c)} <small>{c.unit === '%' ? '%' : display(c.unit)[0]}</small></dd></div>)}
-        <div class="kv"><dt>length</dt><dd>{tidy(moored.length, 6)} <small>m</small></dd></div></dl>
+        <div class="kv"><dt>length</dt><dd>{numberIn(moored.length, 'm', 6)} <small>{unitName('m')}</small></dd></div></dl>
     );
   }
   const alone = calmLay.value?.lines.find((l) => l.name === name);
   if (!alone) return null;
   return (
     <dl class="values"><div class="kv"><dt>{name}</dt><dd /></div>
-      <div class="kv"><dt>tension</dt><dd>{tidy(alone.least_tension / 1e3, 4)} to {tidy(alone.largest_tension / 1e3, 4)} <small>kN</small></dd></div>
-      <div class="kv"><dt>length</dt><dd>{tidy(alone.length, 6)} <small>m</small></dd></div></dl>
+      <div class="kv"><dt>tension</dt><dd>{numberIn(alone.least_tension, 'N')} to {numberIn(alone.largest_tension, 'N')} <small>{unitName('N')}</small></dd></div>
+      <div class="kv"><dt>length</dt><dd>{numberIn(alone.length, 'm', 6)} <small>{unitName('m')}</small></dd></div></dl>
   );
 }
 
@@ -133,9 +133,9 @@ export function LineValues({ name }: { name: string }) {
 export function LineTable({ lines }: { lines: readonly LineAtRest[] }) {
   if (lines.length === 0) return null;
   const rows: [string, (l: LineAtRest) => string, string][] = [
-    ['first end', (l) => tidy(l.first.tension / 1e3, 4), 'kN'], ['second end', (l) => tidy(l.second.tension / 1e3, 4), 'kN'],
-    ['largest', (l) => tidy(l.largest_tension / 1e3, 4), 'kN'], ['least', (l) => tidy(l.least_tension / 1e3, 4), 'kN'],
-    ['length', (l) => tidy(l.length, 5), 'm'], ['on the bed', (l) => tidy(l.on_bed, 4), 'm'],
+    ['first end', (l) => numberIn(l.first.tension, 'N'), 'N'], ['second end', (l) => numberIn(l.second.tension, 'N'), 'N'],
+    ['largest', (l) => numberIn(l.largest_tension, 'N'), 'N'], ['least', (l) => numberIn(l.least_tension, 'N'), 'N'],
+    ['length', (l) => numberIn(l.length, 'm', 5), 'm'], ['on the bed', (l) => numberIn(l.on_bed, 'm'), 'm'],
   ];
   return (
     <section class="moored" aria-label="Lines">
@@ -143,7 +143,7 @@ export function LineTable({ lines }: { lines: readonly LineAtRest[] }) {
         <div key={l.name}>
           <h3><button type="button" class="linkname" aria-pressed={chosenLine.value === l.name} onClick={() => choose(l.name)}>{l.name}</button></h3>
           <dl>
-            {rows.map(([name, text, unit]) => <div key={name} class="kv" title={unit === 'kN' ? 'Effective tension at rest' : ''}><dt>{unit === 'kN' ? `tension, ${name}` : name}</dt><dd>{text(l)} <small>{unit}</small></dd></div>)}
+            {rows.map(([name, text, unit]) => <div key={name} class="kv" title={unit === 'N' ? 'Effective tension at rest' : ''}><dt>{unit === 'N' ? `tension, ${name}` : name}</dt><dd>{text(l)} <small>{unitName(unit)}</small></dd></div>)}
             {l.utilisation === null ? null : <div class="kv"><dt>of breaking load</dt><dd>{tidy(100 * l.utilisation, 3)} <small>%</small></dd></div>}
           </dl>
         </div>

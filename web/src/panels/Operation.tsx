@@ -1,8 +1,9 @@
 // The tab of the operation on the line: its stages in a table, and a first operation where there is none.
 import { bedHeight } from '../logic/bed';
 import { firstOperation, type FirstOperation, type LaySize } from '../logic/firstOperation';
-import { cell, columnsOf, stageColours, stageLevel, stageName, whyNot } from '../logic/operation';
+import { cell, columnsOf, columnUnit, stageColours, stageLevel, stageName, whyNot } from '../logic/operation';
 import { bullets } from '../logic/findings';
+import { fixedIn, unitName } from '../logic/show';
 import type { Converged, Scene } from '../api/types';
 import { calm, changes, failure, scene } from '../state/live';
 import { leftTab } from '../state/look';
@@ -56,7 +57,7 @@ function Table() {
   return (
     <div class="scrolled">
       <table class={`stages${outdated.value ? ' old' : ''}`} aria-label="Stages of the operation">
-        <thead><tr><th scope="col">stage</th>{columns.map((c) => <th key={c.name} scope="col" title={c.title}>{c.name}<small>{c.unit || '–'}</small></th>)}</tr></thead>
+        <thead><tr><th scope="col">stage</th>{columns.map((c) => <th key={c.name} scope="col" title={c.title}>{c.name}<small>{columnUnit(c) || '–'}</small></th>)}</tr></thead>
         <tbody>
           {o.stages.map((s, i) => {
             const level = stageLevel(s), holds = o.hold_points.filter((h) => h.stage === i);
@@ -64,7 +65,7 @@ function Table() {
               <tr key={i} class={`${level}${chosenStage.value === i ? ' chosen' : ''}`} onClick={() => void chooseStage(chosenStage.value === i ? -1 : i)}>
                 <th scope="row">
                   <button type="button" class="linkname" aria-pressed={chosenStage.value === i} disabled={!s.values} title={s.values ? `${s.values.check || 'Show this stage'}` : whyNot(s)}><i style={{ background: stageColours[level] }} />{stageName(s, i)}</button>
-                  {holds.length ? <abbr class="hold" title={`Hold before this stage: ${holds.map((h) => `${h.what}${h.out === null ? '' : ` (at ${h.out.toFixed(1)} m)`}`).join('; ')}`}>hold</abbr> : null}
+                  {holds.length ? <abbr class="hold" title={`Hold before this stage: ${holds.map((h) => `${h.what}${h.out === null ? '' : ` (at ${fixedIn(h.out, 'm', 1)} ${unitName('m')})`}`).join('; ')}`}>hold</abbr> : null}
                 </th>
                 {s.values ? columns.map((c) => <td key={c.name} title={c.name === 'use' ? s.values!.check : c.name === 'roller' ? s.values!.largest_reaction_support : c.title}>{cell(c, s)}</td>) : <td class="why" colSpan={columns.length}><p>{whyNot(s)}</p></td>}
               </tr>
@@ -82,7 +83,7 @@ function Holds() {
   return (
     <section class="holds" aria-label="Hold points">
       <h3>Hold points</h3>
-      <ul>{list.map((h, i) => <li key={i}>before stage {h.stage + 1}: {h.what}{h.out === null ? '' : ` (at ${h.out.toFixed(1)} m)`}</li>)}</ul>
+      <ul>{list.map((h, i) => <li key={i}>before stage {h.stage + 1}: {h.what}{h.out === null ? '' : ` (at ${fixedIn(h.out, 'm', 1)} ${unitName('m')})`}</li>)}</ul>
     </section>
   );
 }

@@ -3,7 +3,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { computed, effect, signal } from '@preact/signals';
 import { css, niceRange } from '../logic/colour';
 import { nearest } from '../logic/decimate';
-import { quantities, quantity } from '../logic/show';
+import { numberIn, quantities, quantity, text, unitName } from '../logic/show';
 import { tidy } from '../logic/units';
 import { dragging, roundTrip } from '../state/live';
 import { keyName, withoutPaths } from '../logic/findings';
@@ -62,8 +62,8 @@ function Values() {
     const r = p.roller;
     return (
       <dl class="values"><div class="kv"><dt>{r.support.name}, row {r.row + 1}</dt><dd>{r.position}</dd></div>
-        <div class="kv"><dt>reaction</dt><dd>{tidy(r.reaction / 1e3, 4)} <small>kN</small></dd></div>
-        {r.separation > 0 && r.reaction > 0 ? null : <div class="kv"><dt>{r.separation > 0 ? 'clear by' : 'pressed in'}</dt><dd>{tidy(Math.abs(r.separation) * 1e3, 3)} <small>mm</small></dd></div>}</dl>
+        <div class="kv"><dt>reaction</dt><dd>{numberIn(r.reaction, 'N')} <small>{unitName('N')}</small></dd></div>
+        {r.separation > 0 && r.reaction > 0 ? null : <div class="kv"><dt>{r.separation > 0 ? 'clear by' : 'pressed in'}</dt><dd>{numberIn(Math.abs(r.separation), 'mm', 3)} <small>{unitName('mm')}</small></dd></div>}</dl>
     );
   }
   const i = p?.kind === 'station' && at === null ? p.index : nearest(s.pipe.s, at ?? 0);
@@ -172,7 +172,7 @@ export function Picture() {
         </select>
         <div class="ramp" style={{ background: css('stress') }} />
         <div class="ends"><span>{tidy(low, 3)}</span><span>{tidy((low + high) / 2, 3)}</span><span>{tidy(high, 3)} {q.unit === '–' ? '' : q.unit}</span></div>
-        <div class="rollerkey">{animated && !largest ? 'no reactions in this run' : <><i class="solid" style={{ background: css('load') }} /> {animated ? 'box' : 'roller'}{largest ? `, to ${tidy(largest / 1e3, 3)} kN` : ' carries'} <span><i class={animated ? 'pale' : 'hollow'} /> clear</span></>}</div>
+        <div class="rollerkey">{animated && !largest ? 'no reactions in this run' : <><i class="solid" style={{ background: css('load') }} /> {animated ? 'box' : 'roller'}{largest ? `, to ${text(largest, 'N', 3)}` : ' carries'} <span><i class={animated ? 'pale' : 'hollow'} /> clear</span></>}</div>
         {!ofRun.value && shownStage.value?.parts ? <div class="rollerkey"><i style={{ background: partColours(theme.value === 'dark').head }} /> head <span><i style={{ background: partColours(theme.value === 'dark').cable }} /> cable</span></div> : null}
       </div> : null}
       {ofRun.value && selected.value ? <div class="whose" title={runName(selected.value)}>run: <b>{runName(selected.value)}</b> <button type="button" class="tiny" aria-label="Back to the model" title="Back to the model" onClick={() => select(null)}>✕</button></div> : null}

@@ -3,7 +3,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import type { MooringLine, Scene } from '../api/types';
 import { levelColours, lineLevel, poseAt, sceneAt } from '../logic/moorings';
 import { alongLine, around, ellipse, flat, labelAt, outline, pipeTrack, scaleLength } from '../logic/plan';
-import { tidy } from '../logic/units';
+import { shownUnit, text } from '../logic/show';
 import { download } from '../charts/chart';
 import { calmState, chosenLine, linesOfRun, stage } from '../state/moorings';
 import { offsetsInTime, type OffsetsInTime } from '../state/offsets';
@@ -22,11 +22,14 @@ function screenFor(points: [number, number][], width: number, height: number, le
   return { width, height, scale, x: (east) => (east - west) * scale, y: (at) => (north - at) * scale };
 }
 
+/** A round length in the unit shown [m]. */
+const scaleBar = (reach: number): number => { const { factor } = shownUnit('m'); return scaleLength(reach * factor) / factor; };
+
 const path = (points: readonly (readonly [number, number])[], on: Screen): string => points.map(([x, y], i) => `${i ? 'L' : 'M'}${on.x(x).toFixed(1)} ${on.y(y).toFixed(1)}`).join('');
 
 function Line({ line, on, chosen, inTime }: { line: MooringLine; on: Screen; chosen: boolean; inTime: boolean }) {
   const colour = levelColours[lineLevel(line, inTime)];
-  const load = `${inTime ? 'max ' : ''}${tidy(line.fairlead_tension / 1e3, 4)} kN`;
+  const load = `${inTime ? 'max ' : ''}${text(line.fairlead_tension, 'N')}`;
   const points = line.shape.length > 1 ? line.shape : [line.fairlead, line.anchor];
   const [mx, my] = alongLine(points, 0.52);
   const touch = line.parted || line.on_bed <= 0 ? null : alongLine(points, line.touchdown_distance / (line.horizontal_distance || 1));
@@ -35,7 +38,7 @@ function Line({ line, on, chosen, inTime }: { line: MooringLine; on: Screen; cho
   const label = labelAt([on.x(ax), on.y(ay)], [line.anchor[0] - line.fairlead[0], line.fairlead[1] - line.anchor[1]], 6.8 * name.length, on.width);
   return (
     <g class={`planline${chosen ? ' chosen' : ''}`} onClick={() => { chosenLine.value = chosen ? null : line.name; }}>
-      <title>{line.parted ? `${line.name}: parted` : `${line.name}: ${load} at the fairlead${inTime ? ' in the run' : ''}, ${tidy(line.length, 6)} m`}</title>
+      <title>{line.parted ? `${line.name}: parted` : `${line.name}: ${load} at the fairlead${inTime ? ' in the run' : ''}, ${text(line.length, 'm', 6)}`}</title>
       <path class="hit" d={path(points.map(flat), on)} />
       <path d={path(points.map(flat), on)} stroke={colour} stroke-dasharray={line.parted ? '3 5' : undefined} />
       {touch ? <circle cx={on.x(touch[0])} cy={on.y(touch[1])} r="3" fill="var(--paper)" stroke={colour} /> : null}
@@ -51,7 +54,7 @@ function Offsets({ of, size }: { of: OffsetsInTime; size: number }) {
   const two = ellipse(of.scatter, 2), { x, y } = of.scatter;
   const reach = 1.15 * Math.max(1e-3, ...of.track.map(([a, b]) => Math.max(Math.abs(a), Math.abs(b))), Math.abs(x.mean) + two.a, Math.abs(y.mean) + two.a);
   const k = size / 2 / reach, at = (v: number): number => size / 2 + k * v, up = (v: number): number => size / 2 - k * v;
-  const bar = scaleLength(2 * reach);
+  const bar = scaleBar(2 * reach);
   return (
     <svg class="offsetplot" width={size} height={size} viewBox={`0 0 ${size} ${size}`} role="img" aria-label="Offsets of midship during the run">
       <title>Midship from where it is drawn, east to the right and north up: track, mean, and the ellipse of two standard deviations</title>
@@ -60,7 +63,7 @@ function Offsets({ of, size }: { of: OffsetsInTime; size: number }) {
       <ellipse cx={at(x.mean)} cy={up(y.mean)} rx={k * two.a} ry={k * two.b} transform={`rotate(${(-two.turn * 180) / Math.PI} ${at(x.mean)} ${up(y.mean)})`} />
       <circle cx={at(x.mean)} cy={up(y.mean)} r="3" />
       <path class="bar" d={`M8 ${size - 8}v-4v4h${k * bar}v-4`} />
-      <text x={12 + k * bar} y={size - 8}>{tidy(bar)} m</text>
+      <text x={12 + k * bar} y={size - 8}>{text(bar, 'm')}</text>
       <text x="6" y="14">midship, 2 std</text>
     </svg>
   );
@@ -95,7 +98,7 @@ export function PlanView() {
   const pipe = lay ? pipeTrack(lay) : [];
   const inTime = linesOfRun.value !== null, lines = linesOfRun.value ?? state?.moorings ?? [];
   const on = screenFor([...hull, ...lines.flatMap((l) => [flat(l.anchor), flat(l.fairlead)])], width, Math.max(60, height - 40), inset);
-  const bar = scaleLength(width / (on.scale || 1));
+  const bar = scaleBar(width / (on.scale || 1));
   const save = (): void => { if (svg.current) download('plan-of-moorings.svg', new Blob([alone(new XMLSerializer().serializeToString(svg.current))], { type: 'image/svg+xml' })); };
   return (
     <div class="plan" ref={box} aria-label="Plan of the moorings">
@@ -112,7 +115,7 @@ export function PlanView() {
             {hull.length ? <path class="planhull" d={`${path(hull, on)}Z`}><title>{scene!.vessel!.name}</title></path> : null}
           </g>
           <path class="north" d={`M${width - 26} 122l7 -26l7 26l-7 -5z`} /><text class="north" x={width - 19} y="92" text-anchor="middle">N</text>
-          <path class="bar" d={`M14 ${height - 14}v-6v6h${bar * on.scale}v-6`} /><text x={20 + bar * on.scale} y={height - 12}>{tidy(bar)} m</text>
+          <path class="bar" d={`M14 ${height - 14}v-6v6h${bar * on.scale}v-6`} /><text x={20 + bar * on.scale} y={height - 12}>{text(bar, 'm')}</text>
         </svg>
       ) : null}
       {tabled ? <div class="plantable" style={{ width: `${tableWidth}px` }}><MooringTable lines={lines} wide inTime={inTime} /></div> : null}

@@ -1,5 +1,6 @@
 // Key results of statics.
-import { fromSi, tidy, tidyLength, write } from '../logic/units';
+import { numberIn, shownUnit, text, unitName } from '../logic/show';
+import { tidy, tidyLength, twin } from '../logic/units';
 import { calm, failure } from '../state/live';
 import { bullet, bullets } from '../logic/findings';
 import { cursor } from '../state/look';
@@ -16,10 +17,10 @@ import { Findings } from './Findings';
 /** `result`: its path in summary.json, of a value that can be sought. */
 export function Value({ name, value, unit, title, result }: { name: string; value: number | null | undefined; unit: string; title?: string; result?: string }) {
   if (value === null || value === undefined) return null;
-  const other = { kN: 'kip', m: 'ft', MPa: 'ksi' }[unit];
+  const shown = unitName(unit);
   return (
-    <div class="kv" title={`${title ?? ''} ${other ? write(value, other, 4) : ''}`.trim()}>
-      <dt>{name}{result ? <SeekButton goal={{ name, result, unit, si: value }} /> : null}</dt><dd>{unit === 'm' ? tidyLength(value) : tidy(fromSi(value, unit), 4)} <small>{unit.replace('*', ' ')}</small></dd>
+    <div class="kv" title={`${title ?? ''} ${twin(text(value, unit, 6))}`.trim()}>
+      <dt>{name}{result ? <SeekButton goal={{ name, result, unit: shown, si: value }} /> : null}</dt><dd>{unit === 'm' ? tidyLength(value * shownUnit(unit).factor) : numberIn(value, unit)} <small>{shown}</small></dd>
     </div>
   );
 }
@@ -34,8 +35,8 @@ function RegionBlock({ name, r }: { name: string; r: Region | null }) {
       </button>
       <div class="bar" role="presentation"><i style={{ width: `${Math.min(100, 100 * r.utilisation)}%` }} /></div>
       <dl>
-        <Value name="von Mises" value={r.von_mises} unit="MPa" result={`static.${name.toLowerCase()}.max_von_mises`} />
-        <Value name="bending" value={r.bending_stress} unit="MPa" result={`static.${name.toLowerCase()}.max_bending_stress`} />
+        <Value name="von Mises" value={r.von_mises} unit="Pa" result={`static.${name.toLowerCase()}.max_von_mises`} />
+        <Value name="bending" value={r.bending_stress} unit="Pa" result={`static.${name.toLowerCase()}.max_bending_stress`} />
         <div class="kv"><dt>strain</dt><dd>{tidy(100 * r.strain, 3)} <small>%</small></dd></div>
       </dl>
     </div>
@@ -80,9 +81,9 @@ function Stinger({ section, only, index }: { section: StingerSectionState; only:
   const path = only ? 'static.stinger' : `static.stinger.sections[${index}]`;
   return (
     <dl>
-      <Value name={section.name ? `angle of ${section.name}` : 'stinger angle'} value={section.angle} unit="deg" result={`${path}.angle`} title="Positive when the tip goes down from where it is drawn." />
-      <Value name="hinge force" value={section.hinge_force} unit="kN" result={`${path}.hinge_force.magnitude`} />
-      <Value name={section.at_stop ? 'moment of the stop' : 'holding moment'} value={section.stop_moment === 0 ? null : section.stop_moment} unit="kN*m" result={`${path}.stop_moment`} />
+      <Value name={section.name ? `angle of ${section.name}` : 'stinger angle'} value={section.angle} unit="rad" result={`${path}.angle`} title="Positive when the tip goes down from where it is drawn." />
+      <Value name="hinge force" value={section.hinge_force} unit="N" result={`${path}.hinge_force.magnitude`} />
+      <Value name={section.at_stop ? 'moment of the stop' : 'holding moment'} value={section.stop_moment === 0 ? null : section.stop_moment} unit="N m" result={`${path}.stop_moment`} />
       <Value name="stinger period" value={section.natural_period > 0 ? section.natural_period : null} unit="s" title="Of small turns about the hinge." />
       <Value name="tank draught" value={section.tanks.length > 0 ? section.draught : null} unit="m" />
     </dl>
@@ -92,13 +93,13 @@ function Stinger({ section, only, index }: { section: StingerSectionState; only:
 function KeyValues({ k, boxes }: { k: KeyResults; boxes: boolean }) {
   return (
       <dl>
-        <Value name="top tension" value={k.top_tension} unit="kN" result="static.top_tension" />
-        <Value name="bottom tension" value={k.bottom_tension} unit="kN" result="static.bottom_tension" />
+        <Value name="top tension" value={k.top_tension} unit="N" result="static.top_tension" />
+        <Value name="bottom tension" value={k.bottom_tension} unit="N" result="static.bottom_tension" />
         <Value name="lay-back" value={k.lay_back} unit="m" result="static.lay_back" title="Horizontal distance from stern shoe to touchdown." />
-        <Value name="departure angle" value={k.departure_angle} unit="deg" result="static.departure_angle" />
+        <Value name="departure angle" value={k.departure_angle} unit="rad" result="static.departure_angle" />
         <Value name="tip clearance" value={k.stinger_tip_clearance} unit="m" result="static.stinger_tip_clearance" title="Clearance of the pipe over the last stinger roller." />
         <Value name="stinger radius" value={k.stinger_fitted_radius} unit="m" title="Of the circle fitted to the stinger's boxes, by least squares of their distances from it." />
-        <Value name="largest reaction" value={boxes ? k.largest_reaction : null} unit="kN" result="static.largest_reaction.value" />
+        <Value name="largest reaction" value={boxes ? k.largest_reaction : null} unit="N" result="static.largest_reaction.value" title="Of a single roller." />
       </dl>
   );
 }

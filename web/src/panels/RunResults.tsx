@@ -2,8 +2,8 @@
 import { useState } from 'preact/hooks';
 import type { Lay, Region, RegionSummary, Run, RunSummary, Spread } from '../api/types';
 import { bullets, withoutPaths } from '../logic/findings';
-import { display } from '../logic/show';
-import { fromSi, tidy } from '../logic/units';
+import { display, numberIn, unitName } from '../logic/show';
+import { tidy } from '../logic/units';
 import { calmLay, ofRun } from '../state/shown';
 import { cancelRun, runName, runSummary, select, selected } from '../state/runs';
 import { FatigueResults } from './FatigueResults';
@@ -14,19 +14,23 @@ import { VerdictCard } from './Results';
 interface Row { name: string; unit: string; before: number | null | undefined; over: Spread | null | undefined }
 
 const shown = (value: number | null | undefined, unit: string): string =>
-  (value === null || value === undefined || !Number.isFinite(value) ? '–' : tidy(unit === '%' ? 100 * value : fromSi(value, unit), Math.abs(value) >= 1e6 && unit === 'kN' ? 4 : 3));
+  (value === null || value === undefined || !Number.isFinite(value) ? '–' : unit === '%' ? tidy(100 * value, 3) : numberIn(value, unit, Math.abs(value) >= 1e6 && unit === 'N' ? 4 : 3));
 
-/** The box that carries most: in the run, else in statics. */
+type RollerOverTime = { reaction: Spread };
+
+/** The single roller that carries most, in the run, else in statics: the same roller in both columns. */
 function reactionRow(lay: Lay, d: RunSummary['dynamic']): Row | null {
-  if (lay.supports.length === 0) return null;
-  const over = d?.supports.length ? d.supports.reduce((a, b) => (b.reaction.max > a.reaction.max ? b : a)) : null;
-  const box = lay.supports.find((s) => s.name === over?.name) ?? lay.supports.reduce((a, b) => (b.reaction > a.reaction ? b : a));
-  return { name: box.name, unit: 'kN', before: box.reaction, over: over?.reaction };
+  const before = lay.supports.flatMap((box) => box.rollers.map((r, i) => ({ box: box.name, row: box.rollers.slice(0, i).filter((o) => o.position === r.position).length, position: r.position, static: r.reaction })));
+  if (before.length === 0) return null;
+  const over = (r: (typeof before)[number]): Spread | undefined => (d?.supports.find((box) => box.name === r.box)?.rows[r.row] as Record<string, RollerOverTime> | undefined)?.[r.position]?.reaction;
+  const load = (r: (typeof before)[number]): number => over(r)?.max ?? r.static;
+  const most = before.reduce((a, b) => (load(b) > load(a) ? b : a));
+  return { name: `${most.box}, row ${most.row + 1} ${most.position}`, unit: 'N', before: most.static, over: over(most) };
 }
 
 const regionRows = (before: Region, over: RegionSummary | null | undefined): Row[] => [
-  { name: 'von Mises', unit: 'MPa', before: before.von_mises, over: over?.max_von_mises },
-  { name: 'bending', unit: 'MPa', before: before.bending_stress, over: over?.max_bending_stress },
+  { name: 'von Mises', unit: 'Pa', before: before.von_mises, over: over?.max_von_mises },
+  { name: 'bending', unit: 'Pa', before: before.bending_stress, over: over?.max_bending_stress },
   { name: 'strain', unit: '%', before: before.strain, over: over?.max_strain },
 ];
 
@@ -41,15 +45,15 @@ function Table() {
     ...(k.tower ? [['Tower', regionRows(k.tower, d?.tower)] as [string, Row[]]] : []),
     ['Sagbend', regionRows(k.sagbend, d?.sagbend)],
     ['Tension', [
-      { name: 'top', unit: 'kN', before: k.top_tension, over: d?.top_tension },
-      { name: 'bottom', unit: 'kN', before: k.bottom_tension, over: d?.bottom_tension },
+      { name: 'top', unit: 'N', before: k.top_tension, over: d?.top_tension },
+      { name: 'bottom', unit: 'N', before: k.bottom_tension, over: d?.bottom_tension },
     ]],
     ['Line', [
       { name: 'lay-back', unit: 'm', before: k.lay_back, over: d?.lay_back },
-      { name: 'departure', unit: 'deg', before: k.departure_angle, over: d?.departure_angle },
+      { name: 'departure', unit: 'rad', before: k.departure_angle, over: d?.departure_angle },
       ...(k.stinger_tip_clearance === null ? [] : [{ name: 'tip clearance', unit: 'm', before: k.stinger_tip_clearance, over: d?.stinger_tip_clearance }]),
     ]],
-    ...(reaction ? [['Largest reaction', [reaction]] as [string, Row[]]] : []),
+    ...(reaction ? [['Largest reaction of a roller', [reaction]] as [string, Row[]]] : []),
   ];
   return (
     <table class="minmax">
@@ -57,7 +61,7 @@ function Table() {
       {groups.map(([name, rows]) => (
         <tbody key={name}>
           <tr class="group"><th scope="rowgroup" colSpan={d ? 4 : 2}>{name}</th></tr>
-          {rows.map((r) => <tr key={r.name}><th scope="row">{r.name} <small>{r.unit}</small></th><td>{shown(r.before, r.unit)}</td>{d ? <><td>{shown(r.over?.min, r.unit)}</td><td>{shown(r.over?.max, r.unit)}</td></> : null}</tr>)}
+          {rows.map((r) => <tr key={r.name}><th scope="row">{r.name} <small>{r.unit === '%' ? '%' : unitName(r.unit)}</small></th><td>{shown(r.before, r.unit)}</td>{d ? <><td>{shown(r.over?.min, r.unit)}</td><td>{shown(r.over?.max, r.unit)}</td></> : null}</tr>)}
         </tbody>
       ))}
     </table>

@@ -1,6 +1,6 @@
 // Runs: watch one, look at earlier ones; the cases of a study lie within it.
 import { useRef, useState } from 'preact/hooks';
-import { duration as inWords } from '../logic/show';
+import { duration as inWords, numberIn, unitName } from '../logic/show';
 import { isStudy } from '../logic/runs';
 import { tidy } from '../logic/units';
 import { withoutPaths } from '../logic/findings';
@@ -79,8 +79,8 @@ function Card({ run }: { run: Run }) {
           </p>
           {run.top_tension !== undefined || run.worst_stress !== undefined ? (
             <dl class="livevalues">
-              {run.top_tension !== undefined ? <div class="kv"><dt>top tension</dt><dd>{tidy(run.top_tension / 1e3, 4)} <small>kN</small></dd></div> : null}
-              {run.worst_stress !== undefined ? <div class="kv"><dt>maximum stress</dt><dd>{tidy(run.worst_stress / 1e6, 4)} <small>MPa</small></dd></div> : null}
+              {run.top_tension !== undefined ? <div class="kv"><dt>top tension</dt><dd>{numberIn(run.top_tension, 'N')} <small>{unitName('N')}</small></dd></div> : null}
+              {run.worst_stress !== undefined ? <div class="kv"><dt>maximum stress</dt><dd>{numberIn(run.worst_stress, 'Pa')} <small>{unitName('Pa')}</small></dd></div> : null}
             </dl>
           ) : null}
         </>

@@ -1,5 +1,5 @@
 // Slider over the stages of the operation, under the picture.
-import { columnsOf, cell, stageName } from '../logic/operation';
+import { columnUnit, columnsOf, cell, stageName } from '../logic/operation';
 import { ofRun } from '../state/shown';
 import { chooseStage, chosenStage, nextStage, operation, playing } from '../state/operation';
 
@@ -13,7 +13,7 @@ export function StageBar() {
       <input type="range" aria-label="Stage" min={0} max={o.stages.length - 1} step={1} value={i} aria-valuetext={`stage ${stageName(stage, i)}`}
         onInput={(e) => { const wanted = Number(e.currentTarget.value); void chooseStage(o.stages[wanted]?.values ? wanted : nextStage(i, wanted > i ? 1 : -1)); }} />
       <output class="which" title={`stage ${stageName(stage, i)}`}>stage <b>{stageName(stage, i)}</b> of {o.stages.length}</output>
-      <span class="readings">{columns.slice(0, 5).map((c) => <span key={c.name} class="reading" title={c.title}><small>{c.name}</small> {cell(c, stage)} {c.unit}</span>)}</span>
+      <span class="readings">{columns.slice(0, 5).map((c) => <span key={c.name} class="reading" title={c.title}><small>{c.name}</small> {cell(c, stage)} {columnUnit(c)}</span>)}</span>
       <button type="button" class="tiny" aria-label="Back to the lay" title="Back to the lay" onClick={() => void chooseStage(-1)}>✕</button>
     </div>
   );
