@@ -13,7 +13,8 @@ PYBIND11_MODULE(_core, module) {
   module.attr("version") = OVERBEND_VERSION;
   module.def(
       "use_units",
-      [](const std::string& system) {
+      [](const pybind11::str& word) {
+        const std::string system = word;
         if (system != "metric" && system != "us") {
           throw pybind11::value_error("system: found '" + overbend::for_display(system) + "', expected 'metric' or 'us'");
         }
