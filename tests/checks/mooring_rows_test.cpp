@@ -77,15 +77,29 @@ TEST(mooring_rows, in_time_lines_of_elements_have_the_dynamic_factor_and_quasi_s
   DynamicResults run;
   MooringLineDynamics line;
   line.name = "bow";
-  line.fairlead_tension.whole.max = 600e3;
+  line.fairlead_tension.whole.max = line.intact_fairlead_tension = 600e3;
   line.utilisation = 0.55;
   run.moorings = {line};
   Description description = moored();
   EXPECT_NEAR(mooring_rows(description, {}, &run).front().utilisation, 0.55 * 1.67, 1e-12);
   description.moorings->model = MooringModel::quasi_static;
   EXPECT_NEAR(mooring_rows(description, {}, &run).front().utilisation, 0.55 * 2.0, 1e-12);
-  run.moorings.front().parted_at = 12.0;
-  EXPECT_NEAR(mooring_rows(description, {}, &run).front().utilisation, 0.55 * 1.43, 1e-12);
+}
+
+TEST(mooring_rows, a_run_in_which_a_line_parts_is_judged_by_both_factors_each_for_its_part_of_the_run) {
+  DynamicResults run;
+  MooringLineDynamics line;
+  line.name = "stern";
+  line.fairlead_tension.whole.max = 600e3;  // after the failure of the other
+  line.intact_fairlead_tension = 540e3;
+  line.utilisation = 0.6;
+  run.moorings = {line, MooringLineDynamics{}};
+  run.moorings.back().name = "bow";
+  run.moorings.back().parted_at = 12.0;
+  const Description description = moored();
+  EXPECT_NEAR(mooring_rows(description, {}, &run).front().utilisation, 0.54 * 1.67, 1e-12);  // 0.6 * 1.25 is less
+  run.moorings.front().intact_fairlead_tension = 400e3;
+  EXPECT_NEAR(mooring_rows(description, {}, &run).front().utilisation, 0.6 * 1.25, 1e-12);
 }
 
 TEST(mooring_rows, the_working_load_and_the_anchor_have_rows_where_they_are_given) {

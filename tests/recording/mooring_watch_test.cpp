@@ -154,6 +154,24 @@ TEST(mooring_watch, tells_when_a_line_parts) {
   EXPECT_NEAR(second.sink.column("mooring/" + gone.name + "/fairlead_tension").back(), 0.0, 1.0);
   EXPECT_FALSE(there.parted_at);
   EXPECT_TRUE(there.events.empty());
+  EXPECT_EQ(gone.intact_fairlead_tension, gone.fairlead_tension.whole.max);  // it has none after it has parted
+}
+
+// Two seconds, in which waves pull some lines more than they did before the other parted.
+TEST(mooring_watch, keeps_the_largest_tensions_of_the_time_in_which_every_line_holds) {
+  Description d = moored_bgl1();
+  d.dynamics->duration = 2.0;
+  d.moorings->lines[2].fails_at = 0.4;
+  const Second whole = second_of(d);
+  int grown = 0;
+  for (std::size_t i = 0; i < whole.results.moorings.size(); ++i) {
+    const MooringLineDynamics& line = whole.results.moorings[i];
+    const Spread& held = usual().results.moorings[i].fairlead_tension.whole;  // of half a second without a failure
+    EXPECT_LE(line.intact_fairlead_tension, held.max * (1.0 + 1e-6)) << line.name;
+    EXPECT_GT(line.intact_fairlead_tension, held.min * (1.0 - 1e-6)) << line.name;
+    if (line.fairlead_tension.whole.max > line.intact_fairlead_tension) ++grown;
+  }
+  EXPECT_GT(grown, 0);
 }
 
 // Some lines have a little more than the brake holds: it lets out until it holds them.

@@ -62,10 +62,8 @@ bool is_damaged(const MooredState& state) {
   return std::ranges::any_of(state.moorings, &MooringLineResult::parted);
 }
 
-bool is_damaged(const Description& description, const DynamicResults& dynamics) {
-  const auto fails = [](const MooringLineDescription& line) { return line.fails_at.has_value(); };
-  return std::ranges::any_of(dynamics.moorings, [](const auto& line) { return line.parted_at.has_value(); }) ||
-         (description.moorings && std::ranges::any_of(description.moorings->lines, fails));
+bool is_damaged(const DynamicResults& dynamics) {
+  return std::ranges::any_of(dynamics.moorings, [](const auto& line) { return line.parted_at.has_value(); });
 }
 
 struct MooringWorst {
@@ -98,19 +96,30 @@ void add_state(MooringWorst& worst, const Description& description, const Moored
   }
 }
 
-void add_run(MooringWorst& worst, const Description& description, const DynamicResults& dynamics) {
+/// The largest tensions of a line, of the whole run or of its part in which every line holds.
+void add_line(MooringWorst& worst, const Description& description, const MooringLineDynamics& line, bool damaged) {
   const SafetyFactors& given = description.checks.safety_factors;
-  const bool damaged = is_damaged(description, dynamics);
   const bool elements = description.moorings->model == MooringModel::elements;
   const SafetyFactor line_factor =
       mooring_safety_factor(given, damaged, elements ? TensionAnalysis::dynamic : TensionAnalysis::quasi_static);
-  const SafetyFactor anchor_factor = anchor_safety_factor(given, damaged);
+  const double most = line.fairlead_tension.whole.max, most_anchor = line.anchor_tension.whole.max;
+  const double tension = damaged ? most : line.intact_fairlead_tension;
+  const double anchor = damaged ? most_anchor : line.intact_anchor_tension;
+  const auto share = [](const std::optional<double>& use, double part, double whole) {
+    return use && whole > 0.0 ? std::optional(*use * part / whole) : std::nullopt;
+  };
+  worst.breaking.add(kBreaking, share(line.utilisation, tension, most), tension, line.name, line_factor);
+  worst.working.add(kWorking, over(tension, description.moorings->working_load), tension, line.name,
+                    {1.0, "moorings.working_load"});
+  worst.holding.add(kHolding, share(line.anchor_utilisation, anchor, most_anchor), anchor, line.name,
+                    anchor_safety_factor(given, damaged));
+}
+
+/// As long as every line holds with the factor of the intact spread, then with that of the damaged one.
+void add_run(MooringWorst& worst, const Description& description, const DynamicResults& dynamics) {
   for (const MooringLineDynamics& line : dynamics.moorings) {
-    const double tension = line.fairlead_tension.whole.max;
-    worst.breaking.add(kBreaking, line.utilisation, tension, line.name, line_factor);
-    worst.working.add(kWorking, over(tension, description.moorings->working_load), tension, line.name,
-                      {1.0, "moorings.working_load"});
-    worst.holding.add(kHolding, line.anchor_utilisation, line.anchor_tension.whole.max, line.name, anchor_factor);
+    add_line(worst, description, line, false);
+    if (is_damaged(dynamics)) add_line(worst, description, line, true);
   }
 }
 

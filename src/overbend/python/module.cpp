@@ -16,7 +16,8 @@ PYBIND11_MODULE(_core, module) {
       [](const pybind11::str& word) {
         const std::string system = word;
         if (system != "metric" && system != "us") {
-          throw pybind11::value_error("system: found '" + overbend::for_display(system) + "', expected 'metric' or 'us'");
+          throw pybind11::value_error("system: found '" + overbend::for_display(system) +
+                                      "', expected 'metric' or 'us'");
         }
         overbend::use_units(system == "us" ? overbend::UnitSystem::us : overbend::UnitSystem::metric);
       },

@@ -164,6 +164,7 @@ void MooringWatch::add(const SystemState& state, const Assembly& assembly, doubl
   look(state, assembly);
   if (state.time <= 0.0) return;
   statistics_.add(sample_, step);
+  const bool intact = is_intact(state);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const auto keep = [&](Quantity quantity, Peak& peak) {
       if (sample(i, quantity) > peak.value) peak = {sample(i, quantity), state.time};
@@ -171,12 +172,23 @@ void MooringWatch::add(const SystemState& state, const Assembly& assembly, doubl
     keep(kFairlead, lines_[i].fairlead);
     keep(kAnchor, lines_[i].anchor);
     keep(kUplift, lines_[i].uplift);
+    if (intact) {
+      keep(kFairlead, lines_[i].intact_fairlead);
+      keep(kAnchor, lines_[i].intact_anchor);
+    }
     if (!quasi_static_) {
       watch_ends(i, state);
       watch_element(i, state.attachments[lines_[i].fairlead_end].way, line_of(assembly, i).line().mesh);
     }
     if (!lines_[i].parted_at) watch_slack(i, state.time);
   }
+}
+
+bool MooringWatch::is_intact(const SystemState& state) const {
+  return std::none_of(lines_.begin(), lines_.end(), [&](const Watched& line) {
+    return line.parted_at || (!quasi_static_ && (state.attachments[line.fairlead_end].parted ||
+                                                 state.attachments[line.anchor_end].parted));
+  });
 }
 
 void MooringWatch::note(std::size_t line, const char* what, double time) {
@@ -366,6 +378,8 @@ std::vector<MooringLineDynamics> MooringWatch::results() const {
     line.start_fairlead_tension = lines_[i].start;
     if (lines_[i].breaking) line.utilisation = line.fairlead_tension.whole.max / *lines_[i].breaking;
     if (lines_[i].holding) line.anchor_utilisation = line.anchor_tension.whole.max / *lines_[i].holding;
+    line.intact_fairlead_tension = lines_[i].intact_fairlead.value;
+    line.intact_anchor_tension = lines_[i].intact_anchor.value;
     line.least_on_bed = spread(kOnBed).min;
     line.largest_uplift = lines_[i].uplift.value;
     line.time_slack = spread(kSlack).mean * statistics_.weight();
@@ -385,7 +399,9 @@ std::vector<double> MooringWatch::save() const {
   std::vector<double> out{static_cast<double>(statistics.size())};
   out.insert(out.end(), statistics.begin(), statistics.end());
   for (const Watched& line : lines_) {
-    for (const Peak& peak : {line.fairlead, line.anchor, line.uplift}) out.insert(out.end(), {peak.value, peak.time});
+    for (const Peak& peak : {line.fairlead, line.anchor, line.uplift, line.intact_fairlead, line.intact_anchor}) {
+      out.insert(out.end(), {peak.value, peak.time});
+    }
     const double parted = line.parted_at.value_or(std::numeric_limits<double>::quiet_NaN());
     out.insert(out.end(), {line.slack ? 1.0 : 0.0, line.renders ? 1.0 : 0.0, line.slips ? 1.0 : 0.0, parted,
                            line.rendered, line.slipped, line.held_up_for, line.least_element, line.most_element,
@@ -404,7 +420,7 @@ void MooringWatch::restore(const std::vector<double>& saved) {
   std::size_t at = 1 + own;
   const auto next = [&] { return saved.at(at++); };
   for (Watched& line : lines_) {
-    for (Peak* peak : {&line.fairlead, &line.anchor, &line.uplift}) {
+    for (Peak* peak : {&line.fairlead, &line.anchor, &line.uplift, &line.intact_fairlead, &line.intact_anchor}) {
       peak->value = next();
       peak->time = next();
     }

@@ -50,6 +50,7 @@ class MooringWatch {
     std::string name;
     std::optional<double> breaking, working, brake, stall, holding;  ///< [N]
     Peak fairlead, anchor, uplift;
+    Peak intact_fairlead, intact_anchor;                 ///< While every line holds.
     double start = 0.0;                                  ///< Tension at the fairlead at the start [N].
     std::vector<double> points;                          ///< Shares of the length.
     std::size_t fairlead_end = 0, anchor_end = 0;        ///< Among the attachments of the system.
@@ -62,6 +63,8 @@ class MooringWatch {
     double last_element = 0.0, length = 0.0;             ///< Of the line at the start, and of the whole [m].
     std::vector<Happening> events;
   };
+  /// Whether every line holds.
+  bool is_intact(const SystemState& state) const;
   void note(std::size_t line, const char* what, double time);
   void watch_slack(std::size_t line, double time);
   void watch_ends(std::size_t line, const SystemState& state);

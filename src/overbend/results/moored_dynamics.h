@@ -57,6 +57,8 @@ struct MooringLineDynamics {
   std::string name;
   MotionSpread fairlead_tension, anchor_tension;    ///< [N]
   double start_fairlead_tension = 0.0;              ///< At the start of the run [N].
+  double intact_fairlead_tension = 0.0;             ///< Largest while no line has parted [N].
+  double intact_anchor_tension = 0.0;               ///< The same at the anchor [N].
   std::optional<double> utilisation;                ///< Largest tension over the least breaking load [-].
   std::optional<double> most_probable_utilisation;  ///< By the most probable largest tension in three hours [-].
   std::optional<double> anchor_utilisation;         ///< Largest tension at the anchor over its holding power [-].

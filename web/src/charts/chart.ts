@@ -135,6 +135,8 @@ export class Chart {
     if (data && !this.zoomed) for (const l of data.level) if (l.kind !== 'limit' || Math.abs(l.y) < 2.2 * most) { low = Math.min(low, l.y); high = Math.max(high, l.y); }
     if (this.extra.shade) { low = Math.min(low, this.extra.shade[0]); high = Math.max(high, this.extra.shade[1]); }
     if (data?.lines[0]?.width === -1) low = 0;
+    const least = 1e-3 * most; // what varies by less is constant, and looks it
+    if (high - low < least) [low, high] = [0.5 * (low + high - least), 0.5 * (low + high + least)];
     const pad = 0.06 * (high - low || Math.abs(high) || 1);
     return [low >= 0 && low < 0.35 * high ? 0 : low - pad, high + pad];
   }

@@ -68,6 +68,11 @@ void visit_mooring_dynamics(Row& r, Visit& visit) {
   visit_motion("anchor_tension", "N", "Tension at the anchor", r.anchor_tension, visit);
   visit(ResultField{"start_fairlead_tension", "N", "Tension at the fairlead at the start of the run"}.summary(),
         r.start_fairlead_tension);
+  visit(
+      ResultField{"intact_fairlead_tension", "N", "Largest tension at the fairlead while no line has parted"}.summary(),
+      r.intact_fairlead_tension);
+  visit(ResultField{"intact_anchor_tension", "N", "Largest tension at the anchor while no line has parted"}.summary(),
+        r.intact_anchor_tension);
   visit(ResultField{"utilisation", "1", "Largest tension over the least breaking load"}.summary(), r.utilisation);
   visit(ResultField{"most_probable_utilisation", "1",
                     "Most probable largest tension in three hours over the least breaking load"}
