@@ -66,7 +66,7 @@
         .attr('transform', `translate(${frame.width - 12},${frame.margin.top + frame.inner_height / 2}) rotate(-90)`).text('% of yield stress');
     }
     curve(frame, indices.map((i) => [st.s[i], st.yield_stress[i] * kind.factor]), colours.accent, '8 4', 1.3);
-    if (lowest <= frame.y.domain()[1]) level_name(frame, lowest, `yield ${Report.fixed(lowest, 0)} MPa`);
+    if (lowest <= frame.y.domain()[1]) level_name(frame, lowest, `yield ${Report.fixed(lowest, 0)} ${kind.unit}`);
   }
 
   // The name of a level, at the end of its line and right above it.
@@ -105,7 +105,7 @@
     const range = [lo < 0 || !kind.zero ? lo - room : lo, hi + (hi === yield_stress ? above_yield : 2) * room];  // labels stand above the curve
     const frame = Report.frame(panel, {
       height: 284, x: [0, end], y: range, right: kind.yield ? 74 : 24, lane: overbend ? lane() : 0, title,
-      x_label: 'Distance along the pipe from the tensioner [m]', y_label: `${kind.axis || kind.name} [${kind.unit}]`,
+      x_label: 'Distance along the pipe from the tensioner', x_si: 'm', y_label: `${kind.axis || kind.name} [${kind.unit}]`, y_digits: kind.digits,
     });
     furniture(frame, overbend);
     if (lo < 0) frame.plot.append('line').attr('x1', frame.x(0)).attr('x2', frame.x(end)).attr('y1', frame.y(0)).attr('y2', frame.y(0)).attr('stroke', '#8794a0');

@@ -59,19 +59,19 @@
   const of = (row, position) => row.rollers.find((r) => r.position === position);
 
   Report.reaction_bars = function (panel) {
-    const total = (row) => d3.sum(row.rollers, (r) => r.reaction) / 1e3;
+    const total = (row) => d3.sum(row.rollers, (r) => r.reaction);
     const hi = d3.max(data.supports, (b) => d3.max(b.rows, total)) || 1;
-    const { frame, list } = base(panel, { y: [0, 1.12 * hi], title: 'Normal reactions', y_label: 'Reaction [kN]' });
+    const { frame, list } = base(panel, { y: [0, 1.12 * hi], title: 'Normal reactions', y_label: 'Reaction', y_si: 'N' });
     let largest = { value: 0 };
     for (const { box, row, at } of list) {
       let below = 0;
       for (const position of positions) {
         const roller = of(row, position.name);
         if (!roller || roller.reaction <= 0) continue;
-        const value = roller.reaction / 1e3;
+        const value = roller.reaction;
         frame.plot.append('rect').attr('x', frame.x(at - 0.36)).attr('width', frame.x(0.72) - frame.x(0))
           .attr('y', frame.y(below + value)).attr('height', frame.y(below) - frame.y(below + value)).attr('fill', position.colour)
-          .append('title').text(`${box.name}, ${position.name}: ${Report.fixed(value, 2)} kN`);
+          .append('title').text(`${box.name}, ${position.name}: ${Report.shown(value, 'N', 2)}`);
         frame.used.push({ x0: frame.x(at - 0.36), x1: frame.x(at + 0.36), y0: frame.y(below + value), y1: frame.y(below) });
         below += value;
         if (value > largest.value) largest = { value, at, top: below, box, position };
@@ -81,7 +81,7 @@
     const used = positions.filter((p) => list.some(({ row }) => of(row, p.name)));
     Report.legend(frame, used.map((p) => ({ text: p.name, colour: p.colour, block: true })));
     if (largest.value > 0) {
-      Report.mark(frame, largest.at, largest.top, `${Report.fixed(largest.value, 1)} kN (${largest.box.name}, ${largest.position.name})`, colours.pipe);
+      Report.mark(frame, largest.at, largest.top, `${Report.shown(largest.value, 'N', 1)} (${largest.box.name}, ${largest.position.name})`, colours.pipe);
     }
   };
 
@@ -93,17 +93,17 @@
     const all = data.supports.flatMap((box) => box.rows.flatMap((row) => row.rollers.filter((roller) => !passed(roller)).map((roller) => ({ box, roller }))));
     const least = d3.least(all.filter(({ roller }) => shown.some((p) => p.name === roller.position)), ({ roller }) => roller.separation);
     if (!least) return 'none, the pipe is outside the rollers';
-    return `${Report.fixed(1e3 * least.roller.separation, 2)} mm at ${least.box.name}, ${least.roller.position}`;
+    return `${Report.shown(least.roller.separation, 'section', 2)} at ${least.box.name}, ${least.roller.position}`;
   }
 
   // Bottom rollers as bars; sides, whose gap is of another size, in a panel of their own.
   function separation_panel(panel, title, shown) {
-    const values = data.supports.flatMap((b) => b.rows.flatMap((row) => row.rollers.filter((r) => shown.some((p) => p.name === r.position) && !passed(r)).map((r) => 1e3 * r.separation)));
+    const values = data.supports.flatMap((b) => b.rows.flatMap((row) => row.rollers.filter((r) => shown.some((p) => p.name === r.position) && !passed(r)).map((r) => r.separation)));
     if (!data.supports.some((b) => b.rows.some((row) => shown.some((p) => of(row, p.name))))) return;
     const lo = Math.min(0, d3.min(values) || 0);
     const hi = Math.max(0, d3.max(values) || 0);
-    const room = 0.12 * (hi - lo || 1);
-    const { frame, list } = base(panel, { y: [lo < 0 ? lo - room : 0, hi + room], title: `${title}; smallest ${smallest_of(shown)}`, y_label: 'Separation [mm]', height: 300 });
+    const room = 0.12 * (hi - lo || 1e-3);
+    const { frame, list } = base(panel, { y: [lo < 0 ? lo - room : 0, hi + room], title: `${title}; smallest ${smallest_of(shown)}`, y_label: 'Separation', y_si: 'section', height: 300 });
     const wide = 0.72 / shown.length;
     for (const { box, row, at } of list) {
       shown.forEach((position, k) => {
@@ -114,11 +114,11 @@
             .style('font-size', '15px').style('fill', position.colour).text('\u00d7').append('title').text(`${box.name}, ${position.name}: the pipe has passed the end of the roller`);
           return;
         }
-        const value = 1e3 * roller.separation;
+        const value = roller.separation;
         const y = [frame.y(Math.max(value, 0)), frame.y(Math.min(value, 0))];
         frame.plot.append('rect').attr('x', frame.x(at - 0.36 + k * wide)).attr('width', frame.x(wide) - frame.x(0))
           .attr('y', y[0]).attr('height', Math.max(y[1] - y[0], 0.5)).attr('fill', position.colour)
-          .append('title').text(`${box.name}, ${position.name}: ${Report.fixed(value, 2)} mm`);
+          .append('title').text(`${box.name}, ${position.name}: ${Report.shown(value, 'section', 2)}`);
       });
     }
     zero_line(frame);

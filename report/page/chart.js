@@ -3,14 +3,27 @@
 (function () {
   const kWidth = 960;
 
-  // options: {width, height, x: [lo, hi], y: [lo, hi], x_label, y_label, title, equal, left, right, x_tick_values, x_tick_format, lane: room for names above the plot}
+  // A scale of SI values in the unit that they are shown in.
+  const as_shown = (scale, si) => (si ? scale.copy().domain(scale.domain().map((value) => value * Report.unit(si).factor)) : scale);
+  const with_unit = (label, si) => (si && label ? `${label} [${Report.unit(si).name}]` : label);
+
+  // A range that is wide enough for what its values tell: a hundredth of them, and ten of the last decimal told. What lies
+  // below is the noise of equilibria and would fill the figure.
+  function widened([lo, hi], digits, si) {
+    const decimal = digits === undefined ? 0 : 10 ** -digits / (si ? Report.unit(si).factor : 1);
+    const least = Math.max(0.01 * Math.max(Math.abs(lo), Math.abs(hi)), 10 * decimal);
+    if (hi - lo >= least) return [lo, hi];
+    return lo === 0 ? [0, least] : [0.5 * (lo + hi - least), 0.5 * (lo + hi + least)];
+  }
+
+  // options: {width, height, x: [lo, hi], y: [lo, hi], x_si, y_si: their SI unit where they are in SI, y_digits: decimals that its values are told with, x_label, y_label, title, equal, left, right, x_tick_values, x_tick_format, lane: room for names above the plot}
   Report.frame = function (panel, options) {
     const margin = { left: options.left || 88, right: options.right || 24, top: (options.title ? 34 : 16) + (options.lane || 0), bottom: options.bottom || 50 };
     const full_width = options.width || kWidth;
     const inner_width = full_width - margin.left - margin.right;
     let inner_height = (options.height || 300) + (options.lane || 0) - margin.top - margin.bottom;
     let [x0, x1] = options.x;
-    let [y0, y1] = options.y;
+    let [y0, y1] = options.equal ? options.y : widened(options.y, options.y_digits, options.y_si);
     if (options.equal) {  // the same scale both ways: the height follows from the range
       inner_height = inner_width * (y1 - y0) / (x1 - x0);
       const most = options.most || 520;
@@ -23,30 +36,31 @@
     }
     const height = inner_height + margin.top + margin.bottom;
     const svg = d3.select(panel).append('svg').attr('viewBox', `0 0 ${full_width} ${height.toFixed(1)}`)
-      .attr('role', 'img').attr('aria-label', options.title || options.y_label);
+      .attr('role', 'img').attr('aria-label', options.title || with_unit(options.y_label, options.y_si));
     const x = d3.scaleLinear([x0, x1], [margin.left, full_width - margin.right]);
     const y = d3.scaleLinear([y0, y1], [height - margin.bottom, margin.top]);
+    const [x_shown, y_shown] = [as_shown(x, options.x_si), as_shown(y, options.y_si)];
     const clip = 'clip-' + Report.next_id();
     svg.append('clipPath').attr('id', clip).append('rect')
       .attr('x', margin.left).attr('y', margin.top).attr('width', inner_width).attr('height', inner_height);
 
     const back = svg.append('g');
     const grid = svg.append('g').attr('class', 'grid');
-    const x_ticks = options.x_tick_values || x.ticks(options.x_ticks || 10);
-    const y_ticks = options.y_ticks || y.ticks(Math.max(3, Math.round(inner_height / 48)));
+    const x_ticks = options.x_tick_values || x_shown.ticks(options.x_ticks || 10);
+    const y_ticks = options.y_ticks || y_shown.ticks(Math.max(3, Math.round(inner_height / 48)));
     grid.selectAll(null).data(x_ticks).join('line')
-      .attr('x1', (d) => x(d)).attr('x2', (d) => x(d)).attr('y1', margin.top).attr('y2', height - margin.bottom);
+      .attr('x1', (d) => x_shown(d)).attr('x2', (d) => x_shown(d)).attr('y1', margin.top).attr('y2', height - margin.bottom);
     grid.selectAll(null).data(y_ticks).join('line')
-      .attr('y1', (d) => y(d)).attr('y2', (d) => y(d)).attr('x1', margin.left).attr('x2', full_width - margin.right);
+      .attr('y1', (d) => y_shown(d)).attr('y2', (d) => y_shown(d)).attr('x1', margin.left).attr('x2', full_width - margin.right);
     const plot = svg.append('g').attr('clip-path', `url(#${clip})`);
     svg.append('g').attr('transform', `translate(0,${height - margin.bottom})`)
-      .call(d3.axisBottom(x).tickValues(x_ticks).tickFormat(options.x_tick_format || null).tickSizeOuter(0));
+      .call(d3.axisBottom(x_shown).tickValues(x_ticks).tickFormat(options.x_tick_format || null).tickSizeOuter(0));
     svg.append('g').attr('transform', `translate(${margin.left},0)`)
-      .call(d3.axisLeft(y).tickValues(y_ticks).tickSizeOuter(0));
+      .call(d3.axisLeft(y_shown).tickValues(y_ticks).tickSizeOuter(0));
     svg.append('text').attr('class', 'soft').attr('x', margin.left + inner_width / 2).attr('y', height - 10)
-      .attr('text-anchor', 'middle').text(options.x_label);
+      .attr('text-anchor', 'middle').text(with_unit(options.x_label, options.x_si));
     svg.append('text').attr('class', 'soft').attr('text-anchor', 'middle')
-      .attr('transform', `translate(17,${margin.top + inner_height / 2}) rotate(-90)`).text(options.y_label);
+      .attr('transform', `translate(17,${margin.top + inner_height / 2}) rotate(-90)`).text(with_unit(options.y_label, options.y_si));
     if (options.title) {
       svg.append('text').attr('class', 'title').attr('x', margin.left).attr('y', 20).text(options.title);
     }
@@ -54,12 +68,6 @@
     return { svg, back, plot, over, x, y, width: full_width, height, margin, inner_height, inner_width, used: [] };
   };
 
-  // A range of values with so many digits in the tables, no finer than these tell: what lies under the last is the noise
-  // of equilibria, and would fill the figure and run over the edge in the numbers of its axis.
-  Report.no_finer = function ([lo, hi], digits) {
-    const least = 4 * 10 ** -digits;
-    return hi - lo < least ? [0.5 * (lo + hi - least), 0.5 * (lo + hi + least)] : [lo, hi];
-  };
 
   // Width of a text in a size of its own, before there is a frame to set it in.
   const pen = document.createElement('canvas').getContext('2d');

@@ -35,7 +35,7 @@
     along.level_name(frame, 1, 'full capacity');
     Report.legend(frame, used.slice().reverse().map((k) => ({ text: k.name, colour: k.colour, dash: k.dash })));
     const worst = d3.greatest(shown, (i) => checks.governing[i]);
-    Report.mark(frame, checks.s[worst], checks.governing[worst], `${Report.fixed(checks.governing[worst], 3)} at ${Report.fixed(checks.s[worst], 1)} m`, colours.pipe);
+    Report.mark(frame, checks.s[worst], checks.governing[worst], `${Report.fixed(checks.governing[worst], 3)} at ${Report.shown(checks.s[worst], 'm', 1)}`, colours.pipe);
     if (!overbend) along.touchdown(frame, end);
     along.hover(frame, end, (s) => {
       const i = Math.min(d3.bisectLeft(checks.s, s), checks.s.length - 1);

@@ -74,7 +74,7 @@
       .attr('stroke', look.colour).attr('stroke-width', look.width).attr('stroke-dasharray', look.dash || null).attr('stroke-linejoin', 'round');
   }
 
-  const axes = { tension: 'Tension [kN]', travel: 'Travel, positive when paid out [m]' };
+  const axes = { tension: `Tension [${Report.unit('N').name}]`, travel: `Travel, positive when paid out [${Report.unit('m').name}]` };
 
   Report.compared_tensioner = function (panel, part) {
     const [kind, view] = part.split('_');
@@ -83,7 +83,7 @@
     const room = 0.07 * (hi - lo || 1);
     const height = 380;
     const below = room + (hi - lo + 2 * room) * kStrip / (height - 130);  // the strip stands there
-    const bounded = kind === 'travel' && limit ? `; limit ${Report.fixed(limit, 2)} m either way` : '';
+    const bounded = kind === 'travel' && limit ? `; limit ${Report.fixed(limit, 2)} ${Report.unit('m').name} either way` : '';
     const frame = Report.frame(panel, {
       height, lane: 22, y: [lo - below, hi + room], x: [close ? close_from : -build_up, duration].map((t) => t / time_unit.seconds),
       title: (close ? `From ${Report.fixed(close_from, 0)} s to the end` : 'Whole run') + bounded, x_label: `Time from the end of the build-up [${time_unit.name}]`, y_label: axes[kind],

@@ -36,6 +36,14 @@ var Report = {};
     };
   }
 
+  // Units that people read, by the SI unit: {name, factor, more}; `section`: lengths of a cross-section and gaps.
+  const units = JSON.parse(document.getElementById('shown-units').textContent);
+  Report.unit = (si) => units[si];
+
+  // A value [SI] as it is shown; `digits`: the decimals of metric values.
+  Report.number = (value, si, digits) => Report.fixed(value * units[si].factor, Math.max(0, digits + units[si].more));
+  Report.shown = (value, si, digits) => `${Report.number(value, si, digits)} ${units[si].name}`;
+
   // A box's name where room is short.
   Report.shortened = (name) => (name.length > 16 ? name.slice(0, 15) + '\u2026' : name);
 

@@ -24,14 +24,14 @@
     const tension = kind.key === 'effective_tension';
     if (tension && data.touchdown.s <= end) {
       const value = Report.at('effective_tension', data.touchdown.s) * kind.factor;
-      Report.mark(frame, data.touchdown.s, value, `${Report.fixed(value, 1)} kN at touchdown`, colours.pipe);
+      Report.mark(frame, data.touchdown.s, value, `${Report.shown(Report.at('effective_tension', data.touchdown.s), 'N', 1)} at touchdown`, colours.pipe);
     }
     // The tension of the sagbend is largest where it begins, which tells nothing.
     for (const region of tension && data.overbend ? ['overbend'] : ['overbend', 'tower', 'sagbend']) {
       const extreme = data[region] && data[region][kind.key];
       if (!extreme || extreme.s > end) continue;
       const value = extreme.value * kind.factor;
-      const text = `${Report.fixed(value, kind.digits)} ${kind.unit} at ${Report.fixed(extreme.s, 1)} m (${extreme.place})`;
+      const text = `${Report.fixed(value, kind.digits)} ${kind.unit} at ${Report.shown(extreme.s, 'm', 1)} (${extreme.place})`;
       Report.mark(frame, extreme.s, value, text, colours.pipe);
     }
   }
@@ -42,7 +42,7 @@
       const far = d3.greatest(indices, (i) => Math.abs(st[more.key][i]));
       if (Math.abs(st[more.key][far]) < 0.1 * d3.max(indices, (i) => st[kind.key][i])) continue;
       const value = st[more.key][far] * kind.factor;
-      Report.mark(frame, st.s[far], value, `${more.mark} ${Report.fixed(value, kind.digits)} ${kind.unit} at ${Report.fixed(st.s[far], 1)} m`, more.colour);
+      Report.mark(frame, st.s[far], value, `${more.mark} ${Report.fixed(value, kind.digits)} ${kind.unit} at ${Report.shown(st.s[far], 'm', 1)}`, more.colour);
     }
   }
 
@@ -61,6 +61,6 @@
     marks(frame, kind, end);
     more_marks(frame, kind, indices);
     if (!overbend) along.touchdown(frame, end);
-    along.hover(frame, end, (s) => `${Report.fixed(Report.at(kind.key, s) * kind.factor, kind.digits)} ${kind.unit} at ${Report.fixed(s, 1)} m`);
+    along.hover(frame, end, (s) => `${Report.fixed(Report.at(kind.key, s) * kind.factor, kind.digits)} ${kind.unit} at ${Report.shown(s, 'm', 1)}`);
   };
 })();

@@ -22,12 +22,12 @@
       const extreme = dynamic[region] && dynamic[region][kind.key];
       if (!extreme || extreme.s > end || extreme.value <= 0) continue;
       const value = extreme.value * kind.factor;
-      Report.mark(frame, extreme.s, value, `${Report.fixed(value, kind.digits)} ${kind.unit} at ${Report.fixed(extreme.s, 1)} m (${extreme.place}), t = ${Report.fixed(extreme.time, 1)} s`, colours.dynamic);
+      Report.mark(frame, extreme.s, value, `${Report.fixed(value, kind.digits)} ${kind.unit} at ${Report.shown(extreme.s, 'm', 1)} (${extreme.place}), t = ${Report.fixed(extreme.time, 1)} s`, colours.dynamic);
     }
     if (kind.key !== 'effective_tension') return;
     const envelope = dynamic.envelopes.effective_tension;
     const most = d3.greatest(d3.range(s.length).filter((i) => s[i] <= end), (i) => envelope.max[i]);
-    Report.mark(frame, s[most], envelope.max[most] * kind.factor, `${Report.fixed(envelope.max[most] * kind.factor, kind.digits)} kN at ${Report.fixed(s[most], 1)} m`, colours.dynamic);
+    Report.mark(frame, s[most], envelope.max[most] * kind.factor, `${Report.fixed(envelope.max[most] * kind.factor, kind.digits)} ${kind.unit} at ${Report.shown(s[most], 'm', 1)}`, colours.dynamic);
   }
 
   function value_at(column, at) {
@@ -62,7 +62,7 @@
     if (!overbend) along.touchdown(frame, end);
     along.hover(frame, end, (at) => {
       const number = (column) => Report.fixed(value_at(column, at) * kind.factor, kind.digits);
-      return `${number(envelope.min)} to ${number(envelope.max)} ${kind.unit}, static ${number(envelope.static)}, at ${Report.fixed(at, 1)} m`;
+      return `${number(envelope.min)} to ${number(envelope.max)} ${kind.unit}, static ${number(envelope.static)}, at ${Report.shown(at, 'm', 1)}`;
     });
   };
   Report.envelope.kinds = kinds;

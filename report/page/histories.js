@@ -32,12 +32,10 @@
     let hi = top;
     if (history.shade) { lo = Math.min(lo, history.shade[0]); hi = Math.max(hi, history.shade[1]); }
     if (history.static !== null) { lo = Math.min(lo, history.static); hi = Math.max(hi, history.static); }
-    // What moves less than the last digit shown is a level line.
-    const least = 10 ** -history.digits;
-    const room = 0.08 * (hi - lo) + (hi - lo < least ? least : 0);
+    const room = 0.08 * (hi - lo);
     const title = small ? small_title(history) : `${history.title}: ${statistics(history)}${history.unit ? ' ' + history.unit : ''}`;
     const frame = Report.frame(panel, {
-      width: small ? kHalf : undefined, height: small ? 190 : 250, left: small ? 62 : 78, x: [-build_up / time_unit.seconds, duration / time_unit.seconds], y: [lo - room, hi + room], x_ticks: small ? 6 : 10,
+      width: small ? kHalf : undefined, height: small ? 190 : 250, left: small ? 62 : 78, x: [-build_up / time_unit.seconds, duration / time_unit.seconds], y: [lo - room, hi + room], y_digits: history.digits, x_ticks: small ? 6 : 10,
       title, x_label: `Time from the end of the build-up [${time_unit.name}]`, y_label: small ? '' : unit_of(history).trim(),
     });
     frame.svg.classed('small', small);

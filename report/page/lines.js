@@ -28,7 +28,7 @@
     const high = z[1] > -0.4 * (z[1] - low) ? Math.max(z[1], 0) : z[1];
     const room = 0.08 * Math.max(x[1] - x[0], high - low, 1);
     const frame = Report.frame(panel, { equal: true, most: 400, x: [x[0] - room, x[1] + room], y: [low - room, high + room],
-      x_label: 'Horizontal distance from the first end [m]', y_label: 'Z, above the water [m]', title: `${line.name}, true to scale` });
+      x_label: 'Horizontal distance from the first end', x_si: 'm', y_label: 'Z, above the water', y_si: 'm', title: `${line.name}, true to scale` });
     const edge = [frame.margin.left, frame.width - frame.margin.right];
     const top = Math.max(frame.y(0), frame.margin.top);
     const bottom = frame.height - frame.margin.bottom;
@@ -42,11 +42,10 @@
 
   Report.line_tension = function (panel, part) {
     const line = data.lines[Number(part)];
-    const kilo = (values) => values.map((value) => value / 1e3);
-    const [tension, least, largest] = [kilo(line.tension), kilo(line.least), kilo(line.largest)];
+    const { tension, least, largest } = line;
     const [lo, hi] = d3.extent(data.moved ? [...tension, ...least, ...largest] : tension);
-    const room = 0.12 * (hi - lo || 1);
-    const frame = Report.frame(panel, { height: 280, x: [0, line.s[line.s.length - 1]], y: [lo - room, hi + room], x_label: 'Unstressed length from the first end [m]', y_label: 'Effective tension [kN]',
+    const room = 0.12 * (hi - lo || 1e3);
+    const frame = Report.frame(panel, { height: 280, x: [0, line.s[line.s.length - 1]], y: [lo - room, hi + room], x_label: 'Unstressed length from the first end', x_si: 'm', y_label: 'Effective tension', y_si: 'N', y_digits: 2,
       title: `${line.name}, effective tension` });
     if (data.moved) {
       const area = d3.area().x((i) => frame.x(line.s[i])).y0((i) => frame.y(least[i])).y1((i) => frame.y(largest[i]));
@@ -55,6 +54,6 @@
     path(frame, line.s.map((s, i) => [s, tension[i]]), data.moved ? colours.accent : colours.pipe, 2, data.moved ? '7 4' : null);
     if (data.moved) Report.legend(frame, [{ text: 'range over time', colour: colours.band, edge: colours.history, block: true }, { text: 'at rest', colour: colours.accent, dash: '7 4' }]);
     const greatest = d3.greatestIndex(tension);
-    Report.mark(frame, line.s[greatest], tension[greatest], `${Report.fixed(tension[greatest], 2)} kN`, colours.pipe);
+    Report.mark(frame, line.s[greatest], tension[greatest], `${Report.shown(tension[greatest], 'N', 2)}`, colours.pipe);
   };
 })();

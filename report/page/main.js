@@ -9,13 +9,14 @@
     const group = svg.append('g').attr('transform', `translate(16,${height - 34})`);
     const wide = 220;
     const id = 'scale-' + Report.next_id();
+    const unit = Report.unit('Pa');
     const top = Report.stress_colour.domain()[1];
     const gradient = svg.append('defs').append('linearGradient').attr('id', id);
     for (const t of d3.range(0, 1.001, 0.1)) gradient.append('stop').attr('offset', t).attr('stop-color', Report.stress_colour(t * top));
     group.append('rect').attr('width', wide).attr('height', 10).attr('fill', `url(#${id})`);
     const axis = d3.axisBottom(d3.scaleLinear([0, top], [0, wide])).ticks(4).tickSize(4);
     group.append('g').attr('transform', 'translate(0,10)').call(axis).call((g) => g.select('.domain').remove());
-    group.append('text').attr('y', -7).text('von Mises stress in the pipe [MPa]');
+    group.append('text').attr('y', -7).text(`von Mises stress in the pipe [${unit.name}]`);
     if (!rollers) return;
     const words = [['#e8741a', 'roller in contact'], ['#aab4bd', 'roller without contact']];
     words.forEach(([colour, text], k) => {

@@ -59,7 +59,7 @@
     frame.used.push({ x0: x - 6, x1: x + 6, y0: y - 6, y1: y + 6 });
   }
 
-  const tension_words = (line) => (line.parted ? 'parted' : line.slack ? 'slack' : `${Report.fixed(line.tension / 1e3, 1)} kN`);
+  const tension_words = (line) => (line.parted ? 'parted' : line.slack ? 'slack' : Report.shown(line.tension, 'N', 1));
 
   // Name and tension outside the anchor, where the line does not run; above or below where it points north or south.
   function name_line(frame, line) {
@@ -118,15 +118,16 @@
 
   // A bar of a round length, about a sixth of the width.
   function scale_bar(frame) {
-    const per_metre = Math.abs(frame.x(1) - frame.x(0));
-    const wanted = frame.inner_width / 6 / per_metre;
+    const unit = Report.unit('m');
+    const per_unit = Math.abs(frame.x(1) - frame.x(0)) / unit.factor;
+    const wanted = frame.inner_width / 6 / per_unit;
     const power = 10 ** Math.floor(Math.log10(wanted));
     const long = [5, 2, 1].map((k) => k * power).find((k) => k <= wanted);
     const x1 = frame.width - frame.margin.right - 14;
-    const x0 = x1 - long * per_metre;
+    const x0 = x1 - long * per_unit;
     const y = frame.height - frame.margin.bottom - 14;
     frame.over.append('path').attr('d', `M${x0} ${y - 5}V${y}H${x1}V${y - 5}`).attr('fill', 'none').attr('stroke', '#1b2733').attr('stroke-width', 1.6);
-    frame.over.append('text').attr('class', 'halo').attr('text-anchor', 'middle').attr('x', (x0 + x1) / 2).attr('y', y - 8).text(`${long} m`);
+    frame.over.append('text').attr('class', 'halo').attr('text-anchor', 'middle').attr('x', (x0 + x1) / 2).attr('y', y - 8).text(`${long} ${unit.name}`);
     frame.used.push({ x0: x0 - 4, x1: x1 + 4, y0: y - 24, y1: y + 4 });
   }
 
@@ -157,7 +158,7 @@
   Report.mooring_plan = function (panel) {
     const [x, y] = field();
     const room = 0.1 * Math.max(x[1] - x[0], y[1] - y[0], 10);
-    const frame = Report.frame(panel, { equal: true, most: 640, x: [x[0] - room, x[1] + room], y: [y[0] - room, y[1] + room], x_label: 'East [m]', y_label: 'North [m]', x_ticks: 8,
+    const frame = Report.frame(panel, { equal: true, most: 640, x: [x[0] - room, x[1] + room], y: [y[0] - room, y[1] + room], x_label: 'East', x_si: 'm', y_label: 'North', y_si: 'm', x_ticks: 8,
       title: 'Moorings in plan, true to scale' });
     objects(frame);
     for (const line of rest.lines) {
@@ -191,7 +192,7 @@
     const low = d3.min(lines, (line) => d3.min(line.shape, (p) => p[2]));
     const high = Math.max(0, d3.max(lines, (line) => line.fairlead[2]));
     const frame = Report.frame(panel, { height: 300, x: [0, 1.03 * far], y: [low - 0.1 * (high - low), high + 0.08 * (high - low)],
-      x_label: 'Horizontal distance from the fairlead [m]', y_label: 'Z, above the water [m]', title: 'Lines in profile; open circle: touchdown' });
+      x_label: 'Horizontal distance from the fairlead', x_si: 'm', y_label: 'Z, above the water', y_si: 'm', title: 'Lines in profile; open circle: touchdown' });
     const water = frame.y(0);
     frame.back.append('rect').attr('x', frame.margin.left).attr('width', frame.inner_width).attr('y', water).attr('height', frame.height - frame.margin.bottom - water).attr('fill', '#f1f7fb');
     frame.plot.append('line').attr('x1', frame.margin.left).attr('x2', frame.width - frame.margin.right).attr('y1', water).attr('y2', water).attr('stroke', '#6fa8cc');
@@ -258,7 +259,7 @@
     const size = Math.max(x[1] - x[0], y[1] - y[0], 1e-3);
     const room = 0.14 * size;
     const frame = Report.frame(panel, { equal: true, most: 420, x: [x[0] - room, x[1] + room], y: [(y[0] + y[1] - Math.max(y[1] - y[0], 0.4 * size)) / 2 - room, (y[0] + y[1] + Math.max(y[1] - y[0], 0.4 * size)) / 2 + room],
-      x_label: 'East of midship as drawn [m]', y_label: 'North [m]', title: run ? 'Offset of midship: ellipses of 1, 2 and 3 standard deviations, dashed: range of the run' : 'Offset of midship' });
+      x_label: 'East of midship as drawn', x_si: 'm', y_label: 'North', y_si: 'm', title: run ? 'Offset of midship: ellipses of 1, 2 and 3 standard deviations, dashed: range of the run' : 'Offset of midship' });
     const [bx, by] = [frame.width - frame.margin.right - 46, frame.margin.top + 28];
     if (m.length > 0) {
       arrow(frame.over.append('g'), bx - 30, by, m.heading, '#5d6a76', 'bow');
@@ -297,16 +298,16 @@
 
   function roomy(curves) {
     const [lo, hi] = d3.extent(curves.flat(), (p) => p[1]);
-    const room = 0.08 * (hi - lo || 1);
+    const room = 0.08 * (hi - lo);
     return [lo - room, hi + room];
   }
 
   function stage_tensions(panel) {
     const words = m.states.map((state, i) => (i === 0 ? 'at rest' : state.name.length > 30 ? `${state.name.slice(0, 29)}\u2026` : state.name));
     const deep = 36 + Math.sin(24 * Math.PI / 180) * d3.max(words, (text) => Report.measured(text, 14));
-    const curves = names_of().map((_, k) => d3.range(m.states.length).filter((i) => !m.states[i].lines[k].parted).map((i) => [i, m.states[i].lines[k].tension / 1e3]));
+    const curves = names_of().map((_, k) => d3.range(m.states.length).filter((i) => !m.states[i].lines[k].parted).map((i) => [i, m.states[i].lines[k].tension]));
     const frame = Report.frame(panel, { height: 300 + deep - 50, right: 210, x: [-0.25, m.states.length - 0.75], y: roomy(curves), bottom: deep, x_tick_values: [],
-      x_label: '', y_label: 'Tension at the fairlead [kN]', title: 'Tension at the fairleads' });
+      x_label: '', y_label: 'Tension at the fairlead', y_si: 'N', y_digits: 1, title: 'Tension at the fairleads' });
     draw_curves(frame, curves, true);
     words.forEach((text, i) => {
       frame.over.append('text').attr('class', 'soft name').attr('text-anchor', 'end').attr('transform', `translate(${frame.x(i) + 4},${frame.height - frame.margin.bottom + 18}) rotate(-24)`).text(text);
@@ -314,26 +315,26 @@
   }
 
   function over_advance(panel, part) {
-    const value = part === 'tensions' ? (step, k) => step.tensions[k] / 1e3 : (step, k) => step.lengths[k] - m.steps[0].lengths[k];
+    const value = part === 'tensions' ? (step, k) => step.tensions[k] : (step, k) => step.lengths[k] - m.steps[0].lengths[k];
     const curves = names_of().map((_, k) => m.steps.map((step) => [step.advance, value(step, k)]));
-    const frame = Report.frame(panel, { height: 300, right: 210, x: d3.extent(m.steps, (step) => step.advance), y: roomy(curves), x_label: 'Advance of the vessel [m]',
-      y_label: part === 'tensions' ? 'Tension at the fairlead [kN]' : 'Length paid out [m]', title: part === 'tensions' ? 'Tension at the fairleads' : 'Length paid out by the winches' });
+    const frame = Report.frame(panel, { height: 300, right: 210, x: d3.extent(m.steps, (step) => step.advance), y: roomy(curves), x_label: 'Advance of the vessel', x_si: 'm',
+      ...(part === 'tensions' ? { y_label: 'Tension at the fairlead', y_si: 'N', y_digits: 1 } : { y_label: 'Length paid out', y_si: 'm', y_digits: 3 }), title: part === 'tensions' ? 'Tension at the fairleads' : 'Length paid out by the winches' });
     draw_curves(frame, curves, m.steps.length < 12);
   }
 
   const kOfPipe = {
-    tension: ['Tension at the tensioner [kN]', 1e-3, 1],
-    overbend: ['Overbend, largest bending stress [MPa]', 1e-6, 1],
-    sagbend: ['Sagbend, largest bending stress [MPa]', 1e-6, 1],
-    clearance: ['Clearance at the stinger tip [m]', 1, 3],
+    tension: ['Tension at the tensioner', 'N', 1],
+    overbend: ['Overbend, largest bending stress', 'Pa', 1],
+    sagbend: ['Sagbend, largest bending stress', 'Pa', 1],
+    clearance: ['Clearance at the stinger tip', 'm', 3],
   };
 
   Report.move_pipe = function (panel) {
-    for (const [key, [title, factor, digits]] of Object.entries(kOfPipe)) {
+    for (const [key, [title, si, digits]] of Object.entries(kOfPipe)) {
       if (m.steps.some((step) => step.pipe[key] === null)) continue;
-      const points = m.steps.map((step) => [step.advance, step.pipe[key] * factor]);
-      const frame = Report.frame(panel, { width: 480, height: 210, left: 68, x: d3.extent(points, (p) => p[0]), y: Report.no_finer(roomy([points]), digits), x_ticks: 6, x_label: 'Advance of the vessel [m]',
-        y_label: '', title });
+      const points = m.steps.map((step) => [step.advance, step.pipe[key]]);
+      const frame = Report.frame(panel, { width: 480, height: 210, left: 68, x: d3.extent(points, (p) => p[0]), y: roomy([points]), y_si: si, y_digits: digits, x_ticks: 6, x_label: 'Advance of the vessel', x_si: 'm',
+        y_label: '', title: `${title} [${Report.unit(si).name}]` });
       frame.svg.classed('small', true);
       stroke(frame, points, colours.pipe, 2);
     }

@@ -5,7 +5,7 @@
   const st = data.stations;
   const { cross, unit, add, hand, dot } = Report.vector;
   const kLayer = { bed: 0, under: 1, water: 2, behind: 3, things: 4, before: 5 };
-  const stress_colour = d3.scaleSequential([0, d3.max(st.von_mises) / 1e6], (t) => d3.interpolateViridis(0.88 - 0.83 * t));
+  const stress_colour = d3.scaleSequential([0, d3.max(st.von_mises) * Report.unit('Pa').factor], (t) => d3.interpolateViridis(0.88 - 0.83 * t));
   const point = (i) => hand([st.x[i], st.y[i], st.z[i]]);
 
   function sea(painter, x0, x1, wide) {
@@ -107,7 +107,7 @@
       const a = at(cuts[i - 1]);
       const b = at(cuts[i]);
       const frame = across(unit(add(b, a, -1)));
-      tube(painter, layer, a, b, data.pipe_outer_diameter / 2, 12, [frame, frame], stress_colour(Report.at('von_mises', cuts[i]) / 1e6));
+      tube(painter, layer, a, b, data.pipe_outer_diameter / 2, 12, [frame, frame], stress_colour(Report.at('von_mises', cuts[i]) * Report.unit('Pa').factor));
     }
   }
 
@@ -117,7 +117,7 @@
       const a = point(indices[k - 1]);
       const b = point(indices[k]);
       const layer = a[2] + b[2] < 0 ? kLayer.under : kLayer.things;
-      painter.line(layer, [a, b], `stroke="${stress_colour(st.von_mises[indices[k]] / 1e6)}" stroke-width="${width}" stroke-linecap="round"`, 1e5);
+      painter.line(layer, [a, b], `stroke="${stress_colour(st.von_mises[indices[k]] * Report.unit('Pa').factor)}" stroke-width="${width}" stroke-linecap="round"`, 1e5);
     }
     const shadow = indices.map((i) => { const p = point(i); return [p[0], p[1], Report.bed(p[0])]; });
     painter.line(kLayer.bed, shadow, 'stroke="#a08f68" stroke-width="1.2" stroke-dasharray="5 3"', 2e6);

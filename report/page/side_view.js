@@ -148,13 +148,13 @@
       const r = row.rollers.find((one) => one.position === 'bottom');
       if (!r) continue;
       const down = 2 * r.radius * (frame.x(1) - frame.x(0)) + 18;
-      const text = r.reaction > 0 ? `${Report.fixed(r.reaction / 1e3, 1)} kN` : `${Report.fixed(1e3 * r.separation, 1)} mm`;
+      const text = r.reaction > 0 ? Report.shown(r.reaction, 'N', 1) : Report.shown(r.separation, 'section', 1);
       frame.over.append('text').attr('class', 'halo').attr('text-anchor', 'middle').attr('x', frame.x(r.p[0])).attr('y', frame.y(r.p[2]) + down)
         .style('font-size', '13px').style('fill', r.reaction > 0 ? '#a85200' : null).text(text);
     }
   }
 
-  const labels = { x_label: 'X, astern of the stern shoe [m]', y_label: 'Z, above the water [m]' };
+  const labels = { x_label: 'X, astern of the stern shoe', x_si: 'm', y_label: 'Z, above the water', y_si: 'm' };
 
   function range_of(boxes, before, after) {
     const x = [d3.min(boxes, (b) => b.p[0] - b.length / 2) - before, d3.max(boxes, (b) => b.p[0] + b.length / 2) + after];
@@ -181,7 +181,7 @@
     const boxes = part === 'overbend' || stinger.length === 0 ? data.supports : stinger;
     if (part === 'stinger' && stinger.length === 0) return;
     if (part === 'tip') {
-      true_scale(panel, `Last box, ${data.tip.name}: at bottom rollers the reaction [kN] or, without contact, the separation [mm]`, range_of([data.tip], 1.5, 3), 2.2, 1.6, true);
+      true_scale(panel, `Last box, ${data.tip.name}: at bottom rollers the reaction [${Report.unit('N').name}] or, without contact, the separation [${Report.unit('section').name}]`, range_of([data.tip], 1.5, 3), 2.2, 1.6, true);
     } else {
       const whole = part === 'overbend';
       const frame = true_scale(panel, whole ? 'Ramp and stinger' : 'Stinger', range_of(boxes, whole ? 3 : 2, 4), 3, whole ? 8 : 6, false);
@@ -219,7 +219,7 @@
       Report.legend(frame, [{ text: 'pipe axis', colour: colours.pipe }, { text: 'row in contact', colour: '#e08a3c', block: true }]);
     } else {
       const t = data.touchdown.p;
-      Report.mark(frame, t[0], t[2], `touchdown, X = ${Report.fixed(t[0], 1)} m`, colours.accent);
+      Report.mark(frame, t[0], t[2], `touchdown, X = ${Report.shown(t[0], 'm', 1)}`, colours.accent);
       Report.label(frame, frame.x(0.6 * last), frame.y(0), 'mean water level', { css: 'soft', below: true });
     }
   };
@@ -235,7 +235,7 @@
     const hi = d3.max(indices, (i) => st.y[i]);
     const room = 0.12 * (hi - lo);
     const last = st.x[indices[indices.length - 1]];
-    const frame = Report.frame(panel, { height: 280, x: [st.x[0] - 4, last], y: [lo - room, hi + 1.5 * room], x_label: labels.x_label, y_label: 'Y, to port [m]',
+    const frame = Report.frame(panel, { height: 280, x: [st.x[0] - 4, last], y: [lo - room, hi + 1.5 * room], ...labels, y_label: 'Y, to port', y_digits: 2,
       title: 'Plan, whole line (drift enlarged)' });
     frame.plot.append('line').attr('x1', frame.x(st.x[0])).attr('x2', frame.x(last)).attr('y1', frame.y(0)).attr('y2', frame.y(0)).attr('stroke', '#8794a0').attr('stroke-dasharray', '10 4 2 4');
     for (const box of data.supports) {
@@ -244,7 +244,7 @@
     frame.plot.append('path').attr('d', path(frame, indices, 'y')).attr('fill', 'none').attr('stroke', colours.pipe).attr('stroke-width', 2.2);
     Report.keep_clear(frame, indices.map((i) => [frame.x(st.x[i]), frame.y(st.y[i])]));
     const far = d3.greatest(indices, (i) => Math.abs(st.y[i]));
-    Report.mark(frame, st.x[far], st.y[far], `${Report.fixed(st.y[far], 2)} m at X = ${Report.fixed(st.x[far], 1)} m`, colours.pipe);
-    Report.mark(frame, data.touchdown.p[0], data.touchdown.p[1], `touchdown ${Report.fixed(data.touchdown.p[1], 2)} m`, colours.accent);
+    Report.mark(frame, st.x[far], st.y[far], `${Report.shown(st.y[far], 'm', 2)} at X = ${Report.shown(st.x[far], 'm', 1)}`, colours.pipe);
+    Report.mark(frame, data.touchdown.p[0], data.touchdown.p[1], `touchdown ${Report.shown(data.touchdown.p[1], 'm', 2)}`, colours.accent);
   };
 })();

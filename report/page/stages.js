@@ -24,7 +24,7 @@
     const stage = m.list[i];
     if (!standing(i)) return `Stage ${stage.name}: cannot be. ${stage.why}`;
     const parts = m.curves.filter((c) => c.key !== 'use' && c.values[i] !== null).slice(0, 6).map((c) => `${c.name.toLowerCase()} ${fixed(c.values[i], c.digits, c.unit)}`);
-    const out = stage.out === null ? '' : `, ${m.out.toLowerCase()} ${fixed(stage.out, 1, 'm')}`;
+    const out = stage.out === null ? '' : `, ${m.out.toLowerCase()} ${Report.shown(stage.out, 'm', 1)}`;
     return `Stage ${stage.name}${out}: ${parts.join(', ')}${stage.use === null ? '' : `; utilisation ${fixed(stage.use, 2)}, ${stage.governing}`}`;
   }
 
@@ -145,7 +145,7 @@
     const room = 0.06 * (z[1] - z[0] || 1);
     const titles = { whole: 'Seen from the barge (true to scale)', supports: 'Ramp and stinger (heights enlarged)', ground: 'Over ground: the place of the barge at the first stage is zero (true to scale)' };
     return Report.frame(panel, { equal: part !== 'supports', most: 460, height: 360, x: [x[0], x[1] + 0.01 * (x[1] - x[0])], y: [z[0] - room, z[1] + 1.4 * room],
-      x_label: part === 'ground' ? 'X, astern of the stern shoe at the first stage [m]' : 'X, astern of the stern shoe [m]', y_label: 'Z, above the water [m]', title: titles[part] });
+      x_label: part === 'ground' ? 'X, astern of the stern shoe at the first stage' : 'X, astern of the stern shoe', x_si: 'm', y_label: 'Z, above the water', y_si: 'm', title: titles[part] });
   }
 
   Report.stages = function (panel, part) {
@@ -183,12 +183,11 @@
     let [lo, hi] = d3.extent(known, (i) => curve.values[i]);
     const shows_limit = curve.limit !== null && curve.limit < hi + 3 * Math.max(hi - lo, 0.1 * Math.abs(hi)) && curve.limit > lo - 3 * Math.max(hi - lo, 0.1 * Math.abs(lo));
     if (shows_limit) { lo = Math.min(lo, curve.limit); hi = Math.max(hi, curve.limit); }
-    [lo, hi] = Report.no_finer([lo, hi], curve.digits);
     const room = 0.1 * (hi - lo);
     const [x0, x1] = d3.extent(d3.range(m.list.length), at);
     const side = 0.03 * (x1 - x0 || 1);
-    const frame = Report.frame(panel, { width: 480, height: 220, left: 70, x: [x0 - side, x1 + side], y: [lo - room, hi + 1.6 * room], x_ticks: 6, ...(by_length ? {} : { x_tick_values: d3.ticks(1, m.list.length, 6).filter(Number.isInteger), x_tick_format: d3.format('d') }),
-      x_label: by_length ? `${m.out} [m]` : 'Stage', y_label: '', title: `${curve.name}${curve.unit ? ` [${curve.unit}]` : ''}` });
+    const frame = Report.frame(panel, { width: 480, height: 220, left: 70, x: [x0 - side, x1 + side], y: [lo - room, hi + 1.6 * room], y_digits: curve.digits, x_ticks: 6, ...(by_length ? {} : { x_tick_values: d3.ticks(1, m.list.length, 6).filter(Number.isInteger), x_tick_format: d3.format('d') }),
+      x_label: by_length ? m.out : 'Stage', x_si: by_length ? 'm' : undefined, y_label: '', title: `${curve.name}${curve.unit ? ` [${curve.unit}]` : ''}` });
     frame.svg.classed('small', true);
     if (shows_limit) {
       frame.plot.append('line').attr('x1', frame.margin.left).attr('x2', frame.width - frame.margin.right).attr('y1', frame.y(curve.limit)).attr('y2', frame.y(curve.limit))

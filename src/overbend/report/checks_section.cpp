@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "report/calculation_sheet.h"
 #include "report/figure_list.h"
 #include "report/html.h"
@@ -76,7 +77,7 @@ std::string governing_table(const StaticResults& statics, const CheckTable& tabl
                    {"Utilisation", "-"},
                    {"Reserve factor", "-"},
                    {"Place", "", true},
-                   {"Along pipe", "m"},
+                   {"Along pipe", shown_name("m")},
                    {"Time", "s"},
                    {"Status", "", true}},
                   "checks");
@@ -85,7 +86,7 @@ std::string governing_table(const StaticResults& statics, const CheckTable& tabl
     if (governing == nullptr) continue;
     const CheckRow& row = *governing;
     out.row({region_title(region), row.name, code_of(row), fixed(row.utilisation, 3), reserve_of(row),
-             place_name(statics, row.s), fixed(row.from_top, 1), when(row), word(row.status)},
+             place_name(statics, row.s), shown_number(row.from_top, "m", 1), when(row), word(row.status)},
             row_class(row));
   }
   return out.str();
@@ -98,10 +99,11 @@ void add_row(html::Table& out, const StaticResults& statics, const CheckRow& row
   }
   const ShownUnit units = check_unit(row);
   const Vec3 p = ship_point(statics, row.p_W);
-  out.row({row.name, code_of(row), number(row.demand * units.factor), number(row.capacity * units.factor),
-           in_one(std::string(units.name)), fixed(row.utilisation, 3), reserve_of(row), fixed(row.from_top, 1),
-           fixed(p.x(), 1), fixed(p.z(), 1), when(row), status_of(row)},
-          row_class(row));
+  out.row(
+      {row.name, code_of(row), number(row.demand * units.factor), number(row.capacity * units.factor),
+       in_one(std::string(units.name)), fixed(row.utilisation, 3), reserve_of(row), shown_number(row.from_top, "m", 1),
+       shown_number(p.x(), "m", 1), shown_number(p.z(), "m", 1), when(row), status_of(row)},
+      row_class(row));
 }
 
 std::string region_table(const StaticResults& statics, const CheckTable& table, CheckRegion region) {
@@ -115,9 +117,9 @@ std::string region_table(const StaticResults& statics, const CheckTable& table, 
                    {"Unit", "", true},
                    {"Utilisation", "-"},
                    {"Reserve factor", "-"},
-                   {"Along pipe", "m"},
-                   {"X", "m"},
-                   {"Z", "m"},
+                   {"Along pipe", shown_name("m")},
+                   {"X", shown_name("m")},
+                   {"Z", shown_name("m")},
                    {"Time", "s"},
                    {"Status", "", true}},
                   "checks");

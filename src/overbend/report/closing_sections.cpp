@@ -10,8 +10,9 @@ namespace {
 using html::fixed;
 
 std::string force_table(const StaticResults& r) {
-  html::Table table("Forces on the line", {{"Force", "", true}, {"east", "kN"}, {"north", "kN"}, {"up", "kN"}},
-                    "plain");
+  html::Table table(
+      "Forces on the line",
+      {{"Force", "", true}, {"east", shown_name("N")}, {"north", shown_name("N")}, {"up", shown_name("N")}}, "plain");
   const auto row = [&](const std::string& name, const Vec3& f, const std::string& css = "") {
     table.row({name, forces().text(f.x(), 3), forces().text(f.y(), 3), forces().text(f.z(), 3)}, css);
   };
@@ -35,12 +36,14 @@ std::string solver_table(const StaticResults& r) {
       .row({"Relaxation steps", std::to_string(r.solve.relaxation_steps), ""})
       .row({"Largest unbalanced nodal force", fmt::format("{:.1e}", r.force_residual), "of the line's weight"})
       .row({"Sum of all forces and reactions", fmt::format("{:.1e}", r.global_residual), "of the line's weight"})
-      .row({"Weight of the line in air", forces().text(r.total_weight, 2), "kN"})
+      .row({"Weight of the line in air", forces().text(r.total_weight, 2), shown_name("N")})
       .row({"Stations", std::to_string(r.stations.size()), ""})
       .row({"Time in the solver", fixed(r.solve.wall_time * 1e3, 1), "ms"});
   if (!r.supports.empty()) {
-    table.row({"Largest contact stiffness", fmt::format("{:.4g}", r.roller_stiffness / 1e3), "kN/m"})
-        .row({"Largest penetration into a roller", clearances().text(r.largest_penetration, 3), "mm"});
+    table
+        .row({"Largest contact stiffness", fmt::format("{:.4g}", r.roller_stiffness * shown_unit("N/m").factor),
+              shown_name("N/m")})
+        .row({"Largest penetration into a roller", clearances().text(r.largest_penetration, 3), clearances().unit});
   }
   return table.str();
 }

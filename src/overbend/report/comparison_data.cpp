@@ -34,7 +34,7 @@ Json tensioner_run(const ComparedRun& run) {
           {"close",
            {{"time", numbers(run.close.time)},
             {"tension", numbers(run.close.tension, shown_unit("N").factor)},
-            {"travel", numbers(run.close.travel)}}}};
+            {"travel", numbers(run.close.travel, shown_unit("m").factor)}}}};
 }
 
 Json box_run(const ComparedBox& box) {
@@ -49,7 +49,7 @@ Json tensioner_data(const Comparison& comparison) {
   const TensionerDynamics& t = comparison.runs.front().results.tensioner;
   const bool ranged = t.range_high > t.range_low;
   return {{"range", ranged ? numbers({t.range_low, t.range_high}, shown_unit("N").factor) : Json(nullptr)},
-          {"limit", t.travel_limit > 0.0 ? json_number(t.travel_limit) : Json(nullptr)},
+          {"limit", t.travel_limit > 0.0 ? json_number(t.travel_limit * shown_unit("m").factor) : Json(nullptr)},
           {"runs", runs}};
 }
 

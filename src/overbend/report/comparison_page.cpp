@@ -19,7 +19,7 @@ namespace overbend {
 namespace {
 
 /// Four digits; what is next to nothing by its order.
-std::string shown(double value) {
+std::string short_number(double value) {
   const double size = std::abs(value);
   if (size >= 1e4) return fmt::format("{:.0f}", value);
   return size > 0.0 && size < 1e-3 ? fmt::format("{:.1e}", value) : fmt::format("{:.4g}", value);
@@ -32,7 +32,7 @@ std::string quantities_section(const Comparison& comparison) {
   for (std::size_t i = 0; i < comparison.quantities.size(); ++i) {
     const ShownUnit unit = table_unit(comparison.quantities[i]);
     std::vector<std::string> cells = {comparison.quantities[i].description, std::string(unit.name)};
-    for (const ComparedRun& run : comparison.runs) cells.push_back(shown(run.values.at(i) * unit.factor));
+    for (const ComparedRun& run : comparison.runs) cells.push_back(short_number(run.values.at(i) * unit.factor));
     table.row(cells);
   }
   std::vector<std::string> counts = {"Findings", "-"};

@@ -17,8 +17,8 @@ using html::fixed;
 
 std::string tension_words(const ComparedRun& run) {
   const Spread& tension = run.results.tensioner.tension;
-  return fmt::format("{}: {} to {} kN, standard deviation {} kN", run.words, forces().text(tension.min, 1),
-                     forces().text(tension.max, 1), forces().text(tension.std, 2));
+  return fmt::format("{}: {} to {}, standard deviation {}", run.words, shown_number(tension.min, "N", 1),
+                     shown(tension.max, "N", 1), shown(tension.std, "N", 2));
 }
 
 std::string counts_words(const TensionerDynamics& t) {
@@ -34,7 +34,8 @@ std::vector<std::string> tensioner_sentences(const Comparison& comparison) {
     const double out = 100.0 * t.time_out_of_range / comparison.duration;
     std::string words = fmt::format("{}. It is out of the range {} % of the time", tension_words(run), fixed(out, 1));
     if (t.mode != "locked") {
-      words += fmt::format(", travels up to {} m", fixed(std::max(std::abs(t.travel.min), std::abs(t.travel.max)), 3));
+      words +=
+          fmt::format(", travels up to {}", shown(std::max(std::abs(t.travel.min), std::abs(t.travel.max)), "m", 3));
     }
     if (t.mode == "controlled") words += counts_words(t);
     list.push_back(words + ".");
@@ -61,11 +62,11 @@ std::string run_words(const Comparison& comparison, std::size_t run) {
   const ComparedBoxes& box = hardest(comparison, run);
   const ComparedBox& most = box.runs[run];
   return fmt::format(
-      "{}: {} of {} boxes carry on average. The largest force of one {} on the pipe is {} kN ({}): a dent of {} mm in "
-      "bare steel, {} kN/m on the coating.",
+      "{}: {} of {} boxes carry on average. The largest force of one {} on the pipe is {} ({}): a dent of {} in "
+      "bare steel, {} on the coating.",
       comparison.runs[run].words, fixed(average_carrying(comparison, run), 1), comparison.boxes.size(),
-      comparison.runs[run].name == "gap_springs" ? "spring" : "roller", forces().text(most.peak_force, 1), box.name,
-      dents().text(most.dent_depth, 2), line_loads().text(most.line_load, 1));
+      comparison.runs[run].name == "gap_springs" ? "spring" : "roller", shown(most.peak_force, "N", 1), box.name,
+      shown(most.dent_depth, section_length(), 2), shown(most.line_load, "N/m", 1));
 }
 
 /// The box at which the springs' force is below the rollers' by the most, `sign` 1, or above it, -1; null where none
@@ -80,11 +81,11 @@ const ComparedBoxes* farthest(const Comparison& comparison, double sign) {
 std::string against(const ComparedBoxes& box) {
   const ComparedBox &rollers = box.runs[0], &springs = box.runs[1];
   return fmt::format(
-      "{}: {} kN with gap springs compared with {} kN with rollers, dents of {} and {} mm, {} and {} kN/m on "
+      "{}: {} with gap springs compared with {} with rollers, dents of {} and {}, {} and {} on "
       "the coating",
-      box.name, forces().text(springs.peak_force, 1), forces().text(rollers.peak_force, 1),
-      dents().text(springs.dent_depth, 2), dents().text(rollers.dent_depth, 2), line_loads().text(springs.line_load, 1),
-      line_loads().text(rollers.line_load, 1));
+      box.name, shown(springs.peak_force, "N", 1), shown(rollers.peak_force, "N", 1),
+      dents().text(springs.dent_depth, 2), shown(rollers.dent_depth, section_length(), 2),
+      line_loads().text(springs.line_load, 1), shown(rollers.line_load, "N/m", 1));
 }
 
 /// Where a check of dents and coating with gap springs is non-conservative, and where conservative.
@@ -127,12 +128,12 @@ std::string impacts_words(const Comparison& comparison, std::size_t run) {
   std::string words = fmt::format("{}: {} impacts", comparison.runs[run].words, results.impact_count);
   if (results.impact_count > 0) {
     const Impact& most = results.hardest_impacts.front();
-    words += fmt::format(", the hardest {} kN at {} m/s and t = {} s", forces().text(most.peak_force, 1),
-                         fixed(most.approach_velocity, 3), fixed(most.time, 1));
+    words += fmt::format(", the hardest {} at {} and t = {} s", shown(most.peak_force, "N", 1),
+                         shown(most.approach_velocity, "m/s", 3), fixed(most.time, 1));
   }
   const ComparedBox& box = hardest(comparison, run).runs[run];
-  return words + fmt::format(". The largest force of one roller on the pipe is {} kN ({}), {} steps were made in {} s.",
-                             forces().text(box.peak_force, 1), hardest(comparison, run).name, results.run.steps,
+  return words + fmt::format(". The largest force of one roller on the pipe is {} ({}), {} steps were made in {} s.",
+                             shown(box.peak_force, "N", 1), hardest(comparison, run).name, results.run.steps,
                              fixed(results.run.wall_time, 1));
 }
 
@@ -192,12 +193,12 @@ std::string boxes_section(const Comparison& comparison) {
   std::vector<std::pair<std::string, int>> groups = {{"", 1}};
   for (const ComparedRun& run : comparison.runs) {
     head.insert(head.end(), {{"Contact", "% of time"},
-                             {"static", "kN"},
-                             {"mean", "kN"},
-                             {"peak", "kN"},
-                             {"one roller", "kN"},
-                             {"dent", "mm"},
-                             {"line load", "kN/m"}});
+                             {"static", shown_name("N")},
+                             {"mean", shown_name("N")},
+                             {"peak", shown_name("N")},
+                             {"one roller", shown_name("N")},
+                             {"dent", clearances().unit},
+                             {"line load", shown_name("N/m")}});
     groups.emplace_back(run.words, 7);
   }
   html::Table table("", head, "dense boxes");

@@ -28,7 +28,7 @@ bool has_overbend(const StaticResults& statics) {
 
 std::string where(const StaticResults& statics, const DynamicExtreme& extreme) {
   const std::string place = place_name(statics, extreme.s);
-  return place == "sagbend" ? "X = " + fixed(ship_point(statics, extreme.p_W).x(), 1) + " m" : place;
+  return place == "sagbend" ? "X = " + shown(ship_point(statics, extreme.p_W).x(), "m", 1) : place;
 }
 
 std::string stress_note(const StaticResults& statics, const DynamicExtreme& extreme) {
@@ -65,7 +65,7 @@ std::string contact_tiles(const StaticResults& statics, const DynamicResults& r)
   if (!r.hardest_impacts.empty()) {
     const Impact& impact = r.hardest_impacts.front();
     out += tile("Hardest impact", forces().text(impact.peak_force, 1), forces().unit,
-                fmt::format("{} m/s at {}, t = {} s", fixed(impact.approach_velocity, 3),
+                fmt::format("{} at {}, t = {} s", shown(impact.approach_velocity, "m/s", 3),
                             find_roller(r, impact.roller).name(), fixed(impact.time, 1)));
   } else {
     out += tile("Impacts", "none", "", "the pipe never lands on a roller");
@@ -120,9 +120,9 @@ std::string region_table(const StaticResults& statics, const std::string& captio
                      {"dynamic", "% yield"},
                      {"static", "% yield"},
                      {"Time", "s"},
-                     {"Along pipe", "m"},
-                     {"X", "m"},
-                     {"Z", "m"},
+                     {"Along pipe", shown_name("m")},
+                     {"X", shown_name("m")},
+                     {"Z", shown_name("m")},
                      {"Place", "", true}},
                     "plain");
   visit_dynamic_region(region, [&](const ResultField& field, const DynamicExtreme& now) {
@@ -134,7 +134,8 @@ std::string region_table(const StaticResults& statics, const std::string& captio
                then.value > 0.0 ? fixed(now.over_time.max / then.value, 2) : "",
                stress ? fixed(yield_percent(statics, now.s, now.over_time.max), 1) : "",
                stress ? fixed(yield_percent(statics, then.s, then.value), 1) : "", fixed(now.time, 1),
-               fixed(from_tensioner(statics, now.s), 2), fixed(p.x(), 2), fixed(p.z(), 2), place_name(statics, now.s)});
+               shown_number(from_tensioner(statics, now.s), "m", 2), shown_number(p.x(), "m", 2),
+               shown_number(p.z(), "m", 2), place_name(statics, now.s)});
   });
   return table.str();
 }

@@ -15,13 +15,13 @@ html::Table listing(const std::string& caption) {
   return html::Table(caption, {{"Quantity", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain");
 }
 
-std::string spread_words(const Spread& spread, double factor, int digits) {
-  return fmt::format("{} to {}, mean {}", fixed(spread.min * factor, digits), fixed(spread.max * factor, digits),
-                     fixed(spread.mean * factor, digits));
+std::string spread_words(const Spread& spread, std::string_view si, int digits) {
+  return fmt::format("{} to {}, mean {}", shown_number(spread.min, si, digits), shown_number(spread.max, si, digits),
+                     shown_number(spread.mean, si, digits));
 }
 
 html::Table energy_listing(const std::string& caption) {
-  return html::Table(caption, {{"Energy", "", true}, {"Value", "kJ"}}, "plain");
+  return html::Table(caption, {{"Energy", "", true}, {"Value", shown_name("J")}}, "plain");
 }
 
 /// `on`: what the work is done on.
@@ -83,18 +83,20 @@ std::string tensioner_section(const StaticResults& statics, const DynamicResults
   };
   html::Table table = listing("");
   table.row({"Mode", t.mode, ""})
-      .row({"Static tension", forces().text(statics.top_tension, 2), "kN"})
-      .row({"Tension", spread_words(t.tension, 1e-3, 1), "kN"})
-      .row({"Tension, standard deviation", forces().text(t.tension.std, 2), "kN"});
+      .row({"Static tension", forces().text(statics.top_tension, 2), shown_name("N")})
+      .row({"Tension", spread_words(t.tension, "N", 1), shown_name("N")})
+      .row({"Tension, standard deviation", forces().text(t.tension.std, 2), shown_name("N")});
   if (t.range_high > t.range_low) {
-    table.row({"Operational range", forces().text(t.range_low, 1) + " to " + forces().text(t.range_high, 1), "kN"})
+    table
+        .row({"Operational range", forces().text(t.range_low, 1) + " to " + forces().text(t.range_high, 1),
+              shown_name("N")})
         .row({"Time out of the operational range", share(t.time_out_of_range), ""});
   }
   if (t.mode != "locked") {
-    table.row({"Travel, positive when paid out", spread_words(t.travel, 1.0, 3), "m"});
+    table.row({"Travel, positive when paid out", spread_words(t.travel, "m", 3), shown_name("m")});
   }
   if (t.mode == "controlled") {
-    table.row({"Travel limit", t.travel_limit > 0.0 ? fixed(t.travel_limit, 2) : "none", "m"})
+    table.row({"Travel limit", t.travel_limit > 0.0 ? shown_number(t.travel_limit, "m", 2) : "none", shown_name("m")})
         .row({"Time holding", share(t.time_holding), ""})
         .row({"Time waiting for its delay", share(t.time_delayed), ""})
         .row({"Time paying out", share(t.time_paying_out) + ", " + std::to_string(t.pay_out_count) + " times", ""})

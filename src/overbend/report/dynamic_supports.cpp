@@ -42,20 +42,20 @@ std::string support_table(const DynamicResults& results) {
   html::Table table("Roller boxes over time",
                     {{"Box", "", true},
                      {"On", "", true},
-                     {"static", "kN"},
-                     {"min", "kN"},
-                     {"mean", "kN"},
-                     {"99 %", "kN"},
-                     {"max", "kN"},
-                     {"std", "kN"},
-                     {"vertical max", "kN"},
-                     {"lateral range", "kN"},
-                     {"static", "m"},
-                     {"min", "m"},
-                     {"max", "m"},
+                     {"static", shown_name("N")},
+                     {"min", shown_name("N")},
+                     {"mean", shown_name("N")},
+                     {"99 %", shown_name("N")},
+                     {"max", shown_name("N")},
+                     {"std", shown_name("N")},
+                     {"vertical max", shown_name("N")},
+                     {"lateral range", shown_name("N")},
+                     {"static", shown_name("m")},
+                     {"min", shown_name("m")},
+                     {"max", shown_name("m")},
                      {"Contact", "% of time"},
                      {"count", ""},
-                     {"largest", "kN"}},
+                     {"largest", shown_name("N")}},
                     "dense boxes");
   table.groups({{"", 2}, {"Reaction on the pipe, resultant", 8}, {"Separation", 3}, {"", 1}, {"Impacts", 2}});
   for (const SupportDynamics& box : results.supports) {
@@ -68,8 +68,8 @@ std::string support_table(const DynamicResults& results) {
                forces().text(box.reaction_over_time.p99, 1), forces().text(box.reaction.max, 1),
                forces().text(box.reaction.std, 1), forces().text(box.vertical.max, 1),
                forces().text(box.lateral.min, 1) + " to " + forces().text(box.lateral.max, 1),
-               fixed(box.static_separation, 4), fixed(box.separation.min, 4), fixed(box.separation.max, 4),
-               share(box.contact_share), std::to_string(box.impact_count),
+               shown_number(box.static_separation, "m", 4), shown_number(box.separation.min, "m", 4),
+               shown_number(box.separation.max, "m", 4), share(box.contact_share), std::to_string(box.impact_count),
                box.impact_count > 0 ? forces().text(impact, 1) : ""},
               box.static_reaction > 0.0 || box.contact_share > 0.0 ? "loaded" : "");
   }
@@ -86,19 +86,19 @@ std::string roller_table(const DynamicResults& results) {
                     {{"Box", "", true},
                      {"Row", ""},
                      {"Roller", "", true},
-                     {"static", "kN"},
-                     {"mean", "kN"},
-                     {"max", "kN"},
-                     {"static", "m"},
-                     {"min", "m"},
-                     {"max", "m"},
+                     {"static", shown_name("N")},
+                     {"mean", shown_name("N")},
+                     {"max", shown_name("N")},
+                     {"static", shown_name("m")},
+                     {"min", shown_name("m")},
+                     {"max", shown_name("m")},
                      {"Contact", "% of time"},
                      {"count", ""},
-                     {"approach", "m/s"},
-                     {"force", "kN"},
-                     {"impulse", "N s"},
-                     {"dent", "mm"},
-                     {"line load", "kN/m"}},
+                     {"approach", shown_name("m/s")},
+                     {"force", shown_name("N")},
+                     {"impulse", std::string(impulse().name)},
+                     {"dent", clearances().unit},
+                     {"line load", shown_name("N/m")}},
                     "dense rollers");
   table.groups({{"", 3}, {"Reaction", 3}, {"Separation", 3}, {"", 1}, {"Impacts, largest", 4}, {"Largest force", 2}});
   int count = 0;
@@ -108,11 +108,13 @@ std::string roller_table(const DynamicResults& results) {
       const bool hit = r.impact_count > 0;
       const bool touched = r.contact_share > 0.0;
       table.row({box.name, std::to_string(r.row + 1), word(r.position), forces().text(r.static_reaction, 2),
-                 forces().text(r.reaction.mean, 2), forces().text(r.reaction.max, 2), fixed(r.static_separation, 4),
-                 fixed(r.separation.min, 4), fixed(r.separation.max, 4), share(r.contact_share),
-                 std::to_string(r.impact_count), hit ? fixed(r.largest_approach_velocity, 3) : "",
-                 hit ? forces().text(r.largest_impact_force, 2) : "", hit ? fixed(r.largest_impulse, 1) : "",
-                 touched ? dents().text(r.dent_depth, 2) : "", touched ? line_loads().text(r.line_load, 1) : ""},
+                 forces().text(r.reaction.mean, 2), forces().text(r.reaction.max, 2),
+                 shown_number(r.static_separation, "m", 4), shown_number(r.separation.min, "m", 4),
+                 shown_number(r.separation.max, "m", 4), share(r.contact_share), std::to_string(r.impact_count),
+                 hit ? shown_number(r.largest_approach_velocity, "m/s", 3) : "",
+                 hit ? forces().text(r.largest_impact_force, 2) : "",
+                 hit ? shown_number(r.largest_impulse, impulse(), 1) : "", touched ? dents().text(r.dent_depth, 2) : "",
+                 touched ? line_loads().text(r.line_load, 1) : ""},
                 touched ? "loaded" : "");
     }
   }
@@ -126,12 +128,12 @@ html::Table impact_table(const std::string& caption) {
                       {"Box", "", true},
                       {"Row", ""},
                       {"Roller", "", true},
-                      {"Approach velocity", "m/s"},
-                      {"Peak force", "kN"},
+                      {"Approach velocity", shown_name("m/s")},
+                      {"Peak force", shown_name("N")},
                       {"Duration", "ms"},
-                      {"Impulse", "N s"},
-                      {"Dent depth", "mm"},
-                      {"Line load", "kN/m"}},
+                      {"Impulse", std::string(impulse().name)},
+                      {"Dent depth", clearances().unit},
+                      {"Line load", shown_name("N/m")}},
                      "dense");
 }
 
@@ -140,9 +142,10 @@ void impact_row(html::Table& table, const DynamicResults& results, std::size_t i
   const RollerPlace at = find_roller(results, impact.roller);
   table.row({std::to_string(index + 1), fixed(impact.time, 2), at.box != nullptr ? at.box->name : "",
              at.roller != nullptr ? std::to_string(at.roller->row + 1) : "",
-             at.roller != nullptr ? word(at.roller->position) : "", fixed(impact.approach_velocity, 3),
-             forces().text(impact.peak_force, 2), fixed(impact.duration * 1e3, 2), fixed(impact.impulse, 1),
-             dents().text(impact.dent_depth, 3), line_loads().text(impact.line_load, 1)});
+             at.roller != nullptr ? word(at.roller->position) : "", shown_number(impact.approach_velocity, "m/s", 3),
+             forces().text(impact.peak_force, 2), fixed(impact.duration * 1e3, 2),
+             shown_number(impact.impulse, impulse(), 1), dents().text(impact.dent_depth, 3),
+             line_loads().text(impact.line_load, 1)});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/shown_unit.h"
 #include "report/figure_list.h"
 #include "report/html.h"
 #include "report/json_number.h"
@@ -30,9 +31,9 @@ std::string spots_table(const StaticResults& statics, const DynamicResults& resu
                      {"S-N curve", "", true},
                      {"Stress factor", "-"},
                      {"Largest damage", "1/h"},
-                     {"Along pipe", "m"},
+                     {"Along pipe", shown_name("m")},
                      {"Place", "", true},
-                     {"Stress range", "MPa"},
+                     {"Stress range", shown_name("Pa")},
                      {"Cycles", "1/h"},
                      {"Damage on the way", "-"},
                      {"Allowable standby", "h"}},
@@ -41,8 +42,8 @@ std::string spots_table(const StaticResults& statics, const DynamicResults& resu
   for (const FatigueSpot& spot : fatigue.spots) {
     const std::size_t worst = worst_station(spot);
     table.row({spot.name, spot.curve, html::fixed(spot.stress_factor, 3), damage_text(kHour * spot.worst_rate),
-               html::fixed(from_tensioner(statics, spot.worst_s), 1), place_name(statics, spot.worst_s),
-               html::fixed(1e-6 * spot.range[worst], 1), html::fixed(kHour * spot.cycles[worst], 0),
+               shown_number(from_tensioner(statics, spot.worst_s), "m", 1), place_name(statics, spot.worst_s),
+               shown_number(spot.range[worst], "Pa", 1), html::fixed(kHour * spot.cycles[worst], 0),
                damage_text(spot.path_damage), html::fixed(spot.standby / kHour, 1)},
               fatigue.design_factor * spot.path_damage > fatigue.budget ? "over" : "");
   }
@@ -62,11 +63,11 @@ std::string fatigue_section(const StaticResults& statics, const DynamicResults& 
   if (!results.fatigue || results.fatigue->spots.empty()) return "";
   const FatigueResults& fatigue = *results.fatigue;
   const std::string note = fmt::format(
-      "<p class=\"small\">Budget {:.3g} with a design fatigue factor of {:.3g}; mean lay speed {:.1f} m/h. The stress "
+      "<p class=\"small\">Budget {:.3g} with a design fatigue factor of {:.3g}; mean lay speed {}/h. The stress "
       "range is the nominal one that gives the same damage at the rate of cycles beside it. Damage on the way and "
       "rates are without the design fatigue factor; the standby is what a weld at the worst place has left beside its "
       "way from the tensioner to the bed, in the sea of this run.</p>\n",
-      fatigue.budget, fatigue.design_factor, kHour * fatigue.lay_rate);
+      fatigue.budget, fatigue.design_factor, shown(kHour * fatigue.lay_rate, "m", 1));
   const std::vector<Figure> figures = {
       {"fatigue", "Damage rate of a weld along the pipe, at the worst point round the section", {"whole", "overbend"}}};
   const std::string drawn = figure_list(

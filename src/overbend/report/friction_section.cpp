@@ -8,24 +8,24 @@
 namespace overbend {
 namespace {
 
-std::string to_side(double value, int digits) {
-  return html::fixed(std::abs(value), digits) + (value < 0.0 ? " to starboard" : " to port");
+std::string to_side(double value, std::string_view si, int digits) {
+  return shown_number(std::abs(value), si, digits) + (value < 0.0 ? " to starboard" : " to port");
 }
 
 std::string route_table(const RouteResults& route) {
   html::Table table("", {{"Pipe on its route", "", true}, {"", "", true}});
-  table.row({"Touchdown beside the route [m]", to_side(route.laid_offset, 2)});
-  table.row({"Side load on rollers and tensioner [kN]", to_side(1e-3 * route.side_load_supports, 2)});
-  table.row({"Side load on the seabed [kN]", to_side(1e-3 * route.side_load_bed, 2)});
+  table.row({headed("Touchdown beside the route", "m"), to_side(route.laid_offset, "m", 2)});
+  table.row({headed("Side load on rollers and tensioner", "N"), to_side(route.side_load_supports, "N", 2)});
+  table.row({headed("Side load on the seabed", "N"), to_side(route.side_load_bed, "N", 2)});
   if (route.least_radius > 0.0) {
-    table.row({"Least radius that friction holds, H / (mu w) [m]", html::fixed(route.least_radius, 0)});
+    table.row({headed("Least radius that friction holds, H / (mu w)", "m"), shown_number(route.least_radius, "m", 0)});
   }
   if (route.radius > 0.0) {
-    table.row({"Smallest radius of the route behind touchdown [m]",
-               html::fixed(route.radius, 0) + (route.holds ? ", holds" : ", does not hold")});
-    table.row({"Length of pipe that has slid sideways [m]", html::fixed(route.slid_length, 1)});
-    table.row({"Largest offset from the route [m]", to_side(route.largest_offset, 2)});
-    table.row({"Where, astern of the stern shoe [m]", html::fixed(route.offset_x, 1)});
+    table.row({headed("Smallest radius of the route behind touchdown", "m"),
+               shown_number(route.radius, "m", 0) + (route.holds ? ", holds" : ", does not hold")});
+    table.row({headed("Length of pipe that has slid sideways", "m"), shown_number(route.slid_length, "m", 1)});
+    table.row({headed("Largest offset from the route", "m"), to_side(route.largest_offset, "m", 2)});
+    table.row({headed("Where, astern of the stern shoe", "m"), shown_number(route.offset_x, "m", 1)});
   }
   return table.str();
 }
@@ -34,8 +34,8 @@ std::vector<std::string> cells_of(const RollerFrictionCase& answer) {
   return {answer.name,
           forces().text(answer.top_tension, 1),
           forces().text(answer.bottom_tension, 1),
-          html::fixed(answer.lay_back, 2),
-          html::fixed(answer.tip_side, 3),
+          shown_number(answer.lay_back, "m", 2),
+          shown_number(answer.tip_side, "m", 3),
           clearances().text(answer.off_roller),
           stresses().text(answer.overbend_stress, 1),
           stresses().text(answer.sagbend_stress, 1),
@@ -45,14 +45,14 @@ std::vector<std::string> cells_of(const RollerFrictionCase& answer) {
 std::string limits_table(const std::vector<RollerFrictionCase>& answers) {
   html::Table table("",
                     {{"Limit", "", true},
-                     {"Top tension", "kN"},
-                     {"Bottom tension", "kN"},
-                     {"Lay-back", "m"},
-                     {"Side at the tip", "m"},
-                     {"Off its roller", "mm"},
-                     {"Overbend", "MPa"},
-                     {"Sagbend", "MPa"},
-                     {"Largest reaction", "kN"}},
+                     {"Top tension", shown_name("N")},
+                     {"Bottom tension", shown_name("N")},
+                     {"Lay-back", shown_name("m")},
+                     {"Side at the tip", shown_name("m")},
+                     {"Off its roller", clearances().unit},
+                     {"Overbend", shown_name("Pa")},
+                     {"Sagbend", shown_name("Pa")},
+                     {"Largest reaction", shown_name("N")}},
                     "dense");
   for (const RollerFrictionCase& answer : answers) table.row(cells_of(answer));
   return table.str() +

@@ -21,12 +21,30 @@ std::string general(double value) {
   return value == 0.0 ? "0" : fmt::format("{:.4g}", value);
 }
 
+bool turns(const std::string& mode) {
+  return mode == "roll" || mode == "pitch" || mode == "yaw";
+}
+
+std::string critical_units() {
+  const std::string force = shown_name("N"), length = shown_name("m");
+  return fmt::format("{0} s/{1}, {0} {1} s", force, length);
+}
+
+double critical_factor(const std::string& mode) {
+  return shown_unit("N").factor * std::pow(shown_unit("m").factor, turns(mode) ? 1 : -1);
+}
+
+std::string added_mass_units() {
+  const std::string mass = shown_name("kg"), length = shown_name("m");
+  return fmt::format("{0}, {0} {1}, {0} {1}2", mass, length);
+}
+
 /// The part of dynamic positioning has a column only where there is one.
 std::string damping_table(const std::vector<ModeDampingResult>& modes) {
   if (modes.empty()) return "";
   const bool positioned = std::any_of(modes.begin(), modes.end(),
                                       [](const ModeDampingResult& mode) { return mode.station_keeping != 0.0; });
-  std::vector<html::Head> head = {{"Mode", "", true}, {"Natural period", "s"}, {"Critical", "kN s/m, kN m s"},
+  std::vector<html::Head> head = {{"Mode", "", true}, {"Natural period", "s"}, {"Critical", critical_units()},
                                   {"Radiation", "%"}, {"of the file", "%"},    {"Wave drift", "%"},
                                   {"Current", "%"},   {"Viscous", "%"}};
   if (positioned) head.push_back({"Positioning", "%"});
@@ -35,7 +53,7 @@ std::string damping_table(const std::vector<ModeDampingResult>& modes) {
   for (const ModeDampingResult& mode : modes) {
     std::vector<std::string> cells = {mode.mode,
                                       fixed(mode.period, 2),
-                                      general(1e-3 * mode.critical),
+                                      general(mode.critical * critical_factor(mode.mode)),
                                       percent(mode.radiation),
                                       percent(mode.radiation_file),
                                       percent(mode.drift),
@@ -56,8 +74,10 @@ bool acts(const SteadyLoad& load) {
 }
 
 std::string load_table(const HullResults& hull) {
-  html::Table table("Steady loads on the hull, along its axes",
-                    {{"", "", true}, {"Forward", "kN"}, {"To port", "kN"}, {"Bow to port", "kN m"}}, "plain");
+  html::Table table(
+      "Steady loads on the hull, along its axes",
+      {{"", "", true}, {"Forward", shown_name("N")}, {"To port", shown_name("N")}, {"Bow to port", shown_name("N m")}},
+      "plain");
   const auto row = [&](const char* name, const SteadyLoad& load) {
     if (!acts(load)) return;
     table.row({name, forces().text(load.surge, 1), forces().text(load.sway, 1), moments().text(load.yaw, 0)});
@@ -71,7 +91,7 @@ std::string load_table(const HullResults& hull) {
 std::string sensitivity_table(const HullResults& hull) {
   if (hull.current_least == 0.0 && hull.current_most == 0.0) return "";
   html::Table table("Current across the hull: what its drag coefficient decides",
-                    {{"Transverse drag coefficient", "", true}, {"Force to port", "kN"}}, "plain");
+                    {{"Transverse drag coefficient", "", true}, {"Force to port", shown_name("N")}}, "plain");
   table.row({"0.44, a barge in deep water by UFC 4-159-03", forces().text(hull.current_least, 1)})
       .row({"as in the model", forces().text(hull.current.sway, 1)}, "total")
       .row({"1.2, sharp edges in two dimensions", forces().text(hull.current_most, 1)});
@@ -100,16 +120,18 @@ std::string entry_table(const HullResults& hull) {
                     {{"Modes", "", true},
                      {"Error of B", "%"},
                      {"Error of A", "%"},
-                     {"A\u221e of the file", "t, t m, t m2"},
-                     {"A\u221e in use", "t, t m, t m2"},
+                     {"A\u221e of the file", added_mass_units()},
+                     {"A\u221e in use", added_mass_units()},
                      {"difference", "%"},
                      {"Tail exponent", ""}},
                     "plain");
   for (const RadiationEntryResult& entry : hull.entries) {
     const bool known = entry.added_mass_file != 0.0;
+    const double factor =
+        shown_unit("kg").factor * std::pow(shown_unit("m").factor, int{turns(entry.first)} + int{turns(entry.second)});
     table.row(
         {entry.first == entry.second ? entry.first : entry.first + ", " + entry.second, percent(entry.damping_error),
-         percent(entry.mass_error), general(1e-3 * entry.added_mass_file), general(1e-3 * entry.added_mass_used),
+         percent(entry.mass_error), general(factor * entry.added_mass_file), general(factor * entry.added_mass_used),
          known ? percent(entry.added_mass_used / entry.added_mass_file - 1.0, 2) : "-", fixed(entry.tail_exponent, 2)});
   }
   return table.str();

@@ -2,40 +2,41 @@
 
 #include <array>
 
-#include "base/constants.h"
+#include "base/shown_unit.h"
 #include "model/station.h"
 #include "report/assumption_rank.h"
 #include "report/listing.h"
 #include "report/mooring_inputs.h"
+#include "report/quantity.h"
 #include "report/sea_words.h"
 #include "report/sections.h"
 
 namespace overbend {
 namespace {
 
-using html::fixed;
-
 std::string pipe_table(const SectionDescription& pipe, const std::string& name) {
   Listing list("Pipe: " + name);
-  list.add("Steel outside diameter", 1e3 * pipe.steel.outside_diameter, "mm")
-      .add("Wall thickness", 1e3 * pipe.steel.wall_thickness, "mm")
-      .add("Young's modulus", 1e-6 * pipe.steel.youngs_modulus, "MPa")
+  list.add("Steel outside diameter", pipe.steel.outside_diameter, section_length())
+      .add("Wall thickness", pipe.steel.wall_thickness, section_length())
+      .add("Young's modulus", pipe.steel.youngs_modulus, "Pa")
       .add("Poisson's ratio", pipe.steel.poissons_ratio, "")
-      .add("Yield stress", 1e-6 * pipe.steel.yield_stress, "MPa")
-      .add("Steel weight density", 1e-3 * pipe.steel.weight_density, "kN/m3");
+      .add("Yield stress", pipe.steel.yield_stress, "Pa")
+      .add("Steel weight density", pipe.steel.weight_density, "N/m3");
   for (const CoatingDescription& coating : pipe.coatings) {
     list.add("Coating: " + coating.name,
-             general(1e3 * coating.thickness) + " mm at " + general(1e-3 * coating.weight_density), "kN/m3");
+             fmt::format("{} {} at {}", general(coating.thickness, section_length()), section_length().name,
+                         general(coating.weight_density, "N/m3")),
+             shown_name("N/m3"));
   }
   if (pipe.joint) {
-    list.add("Pipe joint, field joint", general(pipe.joint->length) + ", " + general(pipe.joint->field_joint), "m")
-        .add("Field joint infill", 1e-3 * pipe.joint->infill_weight_density, "kN/m3");
+    list.add("Pipe joint, field joint", {pipe.joint->length, pipe.joint->field_joint}, "m")
+        .add("Field joint infill", pipe.joint->infill_weight_density, "N/m3");
   }
   list.add("Drag, normal and axial",
            general(pipe.hydrodynamics.drag_normal) + ", " + general(pipe.hydrodynamics.drag_axial));
   if (pipe.contents_weight_density != 0.0 || pipe.internal_pressure != 0.0) {
-    list.add("Contents", 1e-3 * pipe.contents_weight_density, "kN/m3")
-        .add("Internal pressure at the water level", 1e-6 * pipe.internal_pressure, "MPa");
+    list.add("Contents", pipe.contents_weight_density, "N/m3")
+        .add("Internal pressure at the water level", pipe.internal_pressure, "Pa");
   }
   return list.str();
 }
@@ -43,23 +44,25 @@ std::string pipe_table(const SectionDescription& pipe, const std::string& name) 
 std::string environment_table(const EnvironmentDescription& sea) {
   Listing list("Environment");
   list.add("Water depth at the stern shoe", sea.water_depth, "m")
-      .add("Water weight density", 1e-3 * sea.water_weight_density, "kN/m3")
-      .add("Seabed stiffness", 1e-3 * sea.seabed.stiffness, "kN/m2")
+      .add("Water weight density", sea.water_weight_density, "N/m3")
+      .add("Seabed stiffness", sea.seabed.stiffness, "N/m2")
       .add("Seabed friction, axial and lateral",
            general(sea.seabed.friction_axial) + ", " + general(sea.seabed.friction_lateral));
   if (sea.seabed.slope != 0.0) {
     list.add("Seabed slope",
-             fixed(sea.seabed.slope * kToDegrees, 2) + " deg, falling towards " +
-                 fixed(sea.seabed.slope_towards * kToDegrees, 1),
-             "deg");
+             shown_number(sea.seabed.slope, "rad", 2) + " deg, falling towards " +
+                 shown_number(sea.seabed.slope_towards, "rad", 1),
+             shown_name("rad"));
   }
   for (const ProfilePoint& at : sea.seabed.profile) {
-    list.add("Depth of the seabed " + general(at.x) + " m astern of the stern shoe", at.depth, "m");
+    list.add("Depth of the seabed " + general(at.x, "m") + " " + shown_name("m") + " astern of the stern shoe",
+             at.depth, "m");
   }
   if (!sea.seabed.bathymetry_file.empty()) list.add("Depths of the seabed", sea.seabed.bathymetry_file);
   for (const CurrentPoint& at : sea.current) {
-    list.add("Current at " + general(at.depth) + " m, towards " + general(at.towards * kToDegrees) + " deg", at.speed,
-             "m/s");
+    list.add("Current at " + general(at.depth, "m") + " " + shown_name("m") + ", towards " +
+                 general(at.towards, "rad") + " deg",
+             at.speed, "m/s");
   }
   return list.str();
 }
@@ -67,11 +70,10 @@ std::string environment_table(const EnvironmentDescription& sea) {
 /// The vessel by itself.
 Listing& add_vessel(Listing& list, const VesselDescription& vessel) {
   return list.add("Vessel", vessel.name)
-      .add("Length, beam, depth", general(vessel.length) + ", " + general(vessel.beam) + ", " + general(vessel.depth),
-           "m")
+      .add("Length, beam, depth", {vessel.length, vessel.beam, vessel.depth}, "m")
       .add("Draught", vessel.draught, "m")
-      .add("Heading", vessel.heading * kToDegrees, "deg")
-      .add("Trim, heel", general(vessel.trim * kToDegrees) + ", " + general(vessel.heel * kToDegrees), "deg");
+      .add("Heading", vessel.heading, "rad")
+      .add("Trim, heel", {vessel.trim, vessel.heel}, "rad");
 }
 
 /// Radius of a structure and, of boxes told as a row, how many there are and how far apart.
@@ -81,7 +83,8 @@ void add_arc(Listing& list, const std::string& name, const std::optional<double>
     list.add(name + " radius", *radius, "m");
   }
   if (row) {
-    list.add(name + " boxes, spacing along the arc", std::to_string(row->count) + ", " + general(row->spacing), "m");
+    list.add(name + " boxes, spacing along the arc", std::to_string(row->count) + ", " + general(row->spacing, "m"),
+             shown_name("m"));
   }
 }
 
@@ -89,12 +92,12 @@ std::string vessel_table(const Description& model) {
   const VesselDescription& vessel = model.vessel;
   Listing list("Vessel and tensioner");
   add_vessel(list, vessel)
-      .add("Stern shoe, x from midship and z", general(vessel.stern_shoe_x) + ", " + general(vessel.stern_shoe_z), "m")
-      .add("Tensioner X, Z from the stern shoe", general(model.tensioner.x) + ", " + general(model.tensioner.z), "m")
-      .add("Tensioner incline", model.tensioner.incline * kToDegrees, "deg")
+      .add("Stern shoe, x from midship and z", {vessel.stern_shoe_x, vessel.stern_shoe_z}, "m")
+      .add("Tensioner X, Z from the stern shoe", {model.tensioner.x, model.tensioner.z}, "m")
+      .add("Tensioner incline", model.tensioner.incline, "rad")
       .add("Pipe in the tensioner", model.tensioner.guide == Guide::clamped ? "direction fixed" : "pinned");
   if (model.tensioner.tension) {
-    list.add("Set tension", 1e-3 * *model.tensioner.tension, "kN");
+    list.add("Set tension", *model.tensioner.tension, "N");
   }
   add_arc(list, "Ramp", model.supports.ramp_radius, model.supports.ramp_row);
   add_arc(list, "Stinger", model.supports.stinger_radius, model.supports.stinger_row);
@@ -110,14 +113,14 @@ std::string roller_kinds_table(const std::vector<RollerKindDescription>& kinds) 
   }
   Listing list("Rollers");
   for (const RollerKindDescription& kind : kinds) {
-    list.add(kind.name + ": bottom radius, face", general(kind.bottom.radius) + ", " + general(kind.bottom.face), "m");
+    list.add(kind.name + ": bottom radius, face", {kind.bottom.radius, kind.bottom.face}, "m");
     if (kind.sides) {
-      list.add(kind.name + ": side radius, face", general(kind.sides->radius) + ", " + general(kind.sides->face), "m")
+      list.add(kind.name + ": side radius, face", {kind.sides->radius, kind.sides->face}, "m")
           .add(kind.name + ": side angle, clearance",
-               general(kind.sides->angle * kToDegrees) + " deg, " + general(kind.sides->clearance), "m");
+               general(kind.sides->angle, "rad") + " deg, " + general(kind.sides->clearance, "m"), shown_name("m"));
     }
     if (kind.stiffness) {
-      list.add(kind.name + ": stiffness", 1e-3 * *kind.stiffness, "kN/m");
+      list.add(kind.name + ": stiffness", *kind.stiffness, "N/m");
     }
   }
   return list.str();
@@ -136,7 +139,7 @@ void add_waves(Listing& list, const WavesDescription& waves, std::uint64_t seed)
     if (waves.type != WaveType::user) list.add("Peak period", waves.tp, "s");
     list.add("Wave components, seed", fmt::format("{}, {}", waves.components, seed));
   }
-  list.add("Waves from", waves.from * kToDegrees, "deg");
+  list.add("Waves from", waves.from, "rad");
 }
 
 std::string dynamics_table(const Description& model, const DynamicResults& results) {
@@ -144,7 +147,7 @@ std::string dynamics_table(const Description& model, const DynamicResults& resul
   Listing list("Sea, motion and time");
   add_waves(list, model.environment.waves, results.seed);
   list.add("Vessel motion", motion_words(model.vessel))
-      .add("Build-up, duration", general(results.build_up) + ", " + general(results.duration), "s")
+      .add("Build-up, duration", {results.build_up, results.duration}, "s")
       .add("Added mass, normal and axial", general(water.added_mass_normal) + ", " + general(water.added_mass_axial));
   if (model.dynamics) {
     if (model.dynamics->step) list.add("Fixed step", *model.dynamics->step, "s");
@@ -153,7 +156,7 @@ std::string dynamics_table(const Description& model, const DynamicResults& resul
   const TensionerDescription& tensioner = model.tensioner;
   if (tensioner.range_low && tensioner.range_high) {
     list.add("Operational range of tension",
-             general(1e-3 * *tensioner.range_low) + " to " + general(1e-3 * *tensioner.range_high), "kN");
+             general(*tensioner.range_low, "N") + " to " + general(*tensioner.range_high, "N"), shown_name("N"));
   }
   return list.str();
 }
@@ -161,19 +164,20 @@ std::string dynamics_table(const Description& model, const DynamicResults& resul
 std::string derived_table(const StaticResults& results) {
   html::Table table("Derived section properties",
                     {{"Section", "", true},
-                     {"EA", "kN"},
-                     {"EI", "kN m2"},
-                     {"Weight in air", "kN/m"},
-                     {"Submerged", "kN/m"},
-                     {"Steel area", "mm2"},
-                     {"Second moment", "cm4"},
-                     {"Outer diameter", "mm"},
-                     {"Mass", "kg/m"}},
+                     {"EA", shown_name("N")},
+                     {"EI", shown_name("N m2")},
+                     {"Weight in air", shown_name("N/m")},
+                     {"Submerged", shown_name("N/m")},
+                     {"Steel area", std::string(steel_area().name)},
+                     {"Second moment", std::string(steel_inertia().name)},
+                     {"Outer diameter", std::string(section_length().name)},
+                     {"Mass", shown_name("kg/m")}},
                     "plain");
   for (const DerivedSection& s : results.sections) {
-    table.row({s.name, fixed(s.EA / 1e3, 0), fixed(s.EI / 1e3, 1), fixed(s.weight_in_air / 1e3, 6),
-               fixed(s.weight_submerged / 1e3, 6), fixed(s.steel_area * 1e6, 1), fixed(s.second_moment * 1e8, 1),
-               fixed(s.outer_diameter * 1e3, 1), fixed(s.mass, 2)});
+    table.row({s.name, shown_number(s.EA, "N", 0), shown_number(s.EI, "N m2", 1),
+               shown_number(s.weight_in_air, "N/m", 6), shown_number(s.weight_submerged, "N/m", 6),
+               shown_number(s.steel_area, steel_area(), 1), shown_number(s.second_moment, steel_inertia(), 1),
+               shown_number(s.outer_diameter, section_length(), 1), shown_number(s.mass, "kg/m", 2)});
   }
   return table.str();
 }
@@ -186,7 +190,7 @@ std::string inputs_section(const StaticResults& results, const std::optional<Des
   if (description) {
     body += "<div class=\"columns\">\n" + pipe_table(description->pipe.section, "the line");
     for (const SegmentDescription& segment : description->pipe.segments) {
-      body += pipe_table(segment.section, segment.name + ", " + general(segment.length) + " m");
+      body += pipe_table(segment.section, segment.name + ", " + general(segment.length, "m") + " " + shown_name("m"));
     }
     body += vessel_table(*description) + environment_table(description->environment) +
             roller_kinds_table(description->rollers) + hull_inputs(*description) +

@@ -23,7 +23,7 @@ double utilisation(const StaticResults& results, const Extreme& extreme) {
 
 std::string stress_note(const StaticResults& results, const Extreme& extreme) {
   const std::string place = place_name(results, extreme.s);
-  const std::string where = place == "sagbend" ? "X = " + fixed(ship_point(results, extreme.p_W).x(), 1) + " m" : place;
+  const std::string where = place == "sagbend" ? "X = " + shown(ship_point(results, extreme.p_W).x(), "m", 1) : place;
   return fmt::format("{} % of yield, at {}", fixed(utilisation(results, extreme), 1), where);
 }
 
@@ -40,13 +40,14 @@ std::string tiles(const StaticResults& r) {
     out += stress_tile(r, "Overbend von Mises", r.overbend->von_mises);
   }
   out += stress_tile(r, "Sagbend von Mises", r.sagbend.von_mises);
-  out += tile("Lay-back", fixed(r.lay_back, 1), "m", "stern shoe to touchdown");
+  out += tile("Lay-back", shown_number(r.lay_back, "m", 1), shown_name("m"), "stern shoe to touchdown");
   out += tile("Departure angle", angles().text(r.departure_angle, 2), angles().unit,
               "at " + (r.last_support.empty() ? std::string("the tensioner") : r.last_support));
   if (r.supports.empty()) {  // in J-lay the sagbend is all there is
-    out += tile("Suspended length", fixed(r.suspended_length, 1), "m", "along the pipe, to touchdown");
+    out += tile("Suspended length", shown_number(r.suspended_length, "m", 1), shown_name("m"),
+                "along the pipe, to touchdown");
     out += tile("Sagbend moment", moments().text(r.sagbend.bending_moment.value, 1), moments().unit,
-                fixed(from_tensioner(r, r.sagbend.bending_moment.s), 1) + " m along the pipe");
+                shown(from_tensioner(r, r.sagbend.bending_moment.s), "m", 1) + " along the pipe");
     out += tile("Sagbend strain", strains().text(r.sagbend.strain.value, 4), strains().unit, "longitudinal, maximum");
   }
   if (!r.supports.empty()) {
@@ -70,27 +71,31 @@ std::vector<std::array<std::string, 3>> lay_quantities(const StaticResults& r) {
   row("Largest effective tension", forces().text(r.largest_tension, 2), forces().unit);
   row("Horizontal tension at touchdown", forces().text(r.bottom_tension, 2), forces().unit);
   if (r.residual_curvature > 0.0) {
-    row("Residual curvature at touchdown", fmt::format("{:.5f}", r.residual_curvature), "1/m");
+    row("Residual curvature at touchdown", shown_number(r.residual_curvature, "1/m", 5), shown_name("1/m"));
   }
-  row("Lay-back, stern shoe to touchdown", fixed(r.lay_back, 2), "m");
-  row("Tensioner to touchdown, horizontal", fixed(r.top_to_touchdown, 2), "m");
-  row("Tensioner to touchdown, along the pipe", fixed(r.length_top_to_touchdown, 2), "m");
-  row("Suspended length", fixed(r.suspended_length, 2), "m");
-  row("Tensioner to anchor, along the pipe", fixed(r.total_length, 2), "m");
+  row("Lay-back, stern shoe to touchdown", shown_number(r.lay_back, "m", 2), shown_name("m"));
+  row("Tensioner to touchdown, horizontal", shown_number(r.top_to_touchdown, "m", 2), shown_name("m"));
+  row("Tensioner to touchdown, along the pipe", shown_number(r.length_top_to_touchdown, "m", 2), shown_name("m"));
+  row("Suspended length", shown_number(r.suspended_length, "m", 2), shown_name("m"));
+  row("Tensioner to anchor, along the pipe", shown_number(r.total_length, "m", 2), shown_name("m"));
   row(r.last_support.empty() ? "Departure angle, at the tensioner" : "Departure angle, at " + r.last_support,
       angles().text(r.departure_angle, 3), angles().unit);
-  row("Touchdown, drift to port of the vessel's axis", fixed(ship_point(r, r.touchdown.p_W).y(), 2), "m");
+  row("Touchdown, drift to port of the vessel's axis", shown_number(ship_point(r, r.touchdown.p_W).y(), "m", 2),
+      shown_name("m"));
   if (r.stinger_tip_clearance) {
-    row("Stinger tip clearance (negative: in contact)", fixed(*r.stinger_tip_clearance, 4), "m");
+    row("Stinger tip clearance (negative: in contact)", shown_number(*r.stinger_tip_clearance, "m", 4),
+        shown_name("m"));
   }
-  if (r.ramp_fitted_radius) row("Ramp, radius of the circle fitted to its boxes", fixed(*r.ramp_fitted_radius, 1), "m");
+  if (r.ramp_fitted_radius)
+    row("Ramp, radius of the circle fitted to its boxes", shown_number(*r.ramp_fitted_radius, "m", 1), shown_name("m"));
   if (r.stinger_fitted_radius) {
-    row("Stinger, radius of the circle fitted to its boxes", fixed(*r.stinger_fitted_radius, 1), "m");
+    row("Stinger, radius of the circle fitted to its boxes", shown_number(*r.stinger_fitted_radius, "m", 1),
+        shown_name("m"));
   }
   if (!r.supports.empty()) {
     row("Largest reaction of one roller, at " + r.largest_reaction_support, forces().text(r.largest_reaction, 2),
         forces().unit);
-    row("Smallest separation of a bottom roller", fixed(r.smallest_separation, 4), "m");
+    row("Smallest separation of a bottom roller", shown_number(r.smallest_separation, "m", 4), shown_name("m"));
   }
   return rows;
 }
@@ -113,9 +118,9 @@ std::string region_table(const StaticResults& results, const std::string& captio
                     {{"Largest", "", true},
                      {"Value", ""},
                      {"Yield", "%"},
-                     {"Along pipe", "m"},
-                     {"X", "m"},
-                     {"Z", "m"},
+                     {"Along pipe", shown_name("m")},
+                     {"X", shown_name("m")},
+                     {"Z", shown_name("m")},
                      {"Place", "", true}},
                     "plain");
   visit_region(region, [&](const ResultField& field, const Extreme& extreme) {
@@ -123,8 +128,9 @@ std::string region_table(const StaticResults& results, const std::string& captio
     const bool stress = field.units == "Pa";  // compared with yield
     const Vec3 p = ship_point(results, extreme.p_W);
     table.row({fmt::format("{} [{}]", q.name, q.unit), q.text(extreme.value),
-               stress ? fixed(utilisation(results, extreme), 1) : "", fixed(from_tensioner(results, extreme.s), 2),
-               fixed(p.x(), 2), fixed(p.z(), 2), place_name(results, extreme.s)});
+               stress ? fixed(utilisation(results, extreme), 1) : "",
+               shown_number(from_tensioner(results, extreme.s), "m", 2), shown_number(p.x(), "m", 2),
+               shown_number(p.z(), "m", 2), place_name(results, extreme.s)});
   });
   return table.str();
 }
@@ -141,11 +147,12 @@ std::string title_block(const std::string& kind, const std::string& title,
 }
 
 std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results) {
-  return {{"Vessel", results.vessel_name},
-          {"Pipe", fmt::format("{} mm steel, {} mm over the coating", fixed(1e3 * results.steel_outer_diameter, 1),
-                               fixed(1e3 * results.pipe_outer_diameter, 1))},
-          {"Water depth", fixed(results.water_depth, 2) + " m"},
-          {"Method", results.supports.empty() ? "J-lay" : "S-lay"}};
+  return {
+      {"Vessel", results.vessel_name},
+      {"Pipe", fmt::format("{} steel, {} over the coating", shown(results.steel_outer_diameter, section_length(), 1),
+                           shown(results.pipe_outer_diameter, section_length(), 1))},
+      {"Water depth", shown(results.water_depth, "m", 2)},
+      {"Method", results.supports.empty() ? "J-lay" : "S-lay"}};
 }
 
 std::string status_words(const std::string& state, std::size_t findings) {

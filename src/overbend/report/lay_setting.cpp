@@ -8,8 +8,6 @@
 namespace overbend {
 namespace {
 
-using html::fixed;
-
 const BoxDescription* setting_of(const std::optional<Description>& description, const std::string& name) {
   if (!description) return nullptr;
   const std::vector<BoxDescription>& boxes = description->supports.boxes;
@@ -25,11 +23,16 @@ const SupportDynamics* over_time(const DynamicResults* dynamic, const std::strin
 }
 
 std::vector<html::Head> head(bool dynamic) {
-  std::vector<html::Head> columns = {{"Box", "", true}, {"On", "", true},    {"X", "m"},        {"Z", "m"},
-                                     {"Offset", "mm"},  {"Along pipe", "m"}, {"Reaction", "kN"}};
-  if (dynamic) columns.push_back({"Largest", "kN"});
-  columns.push_back({"Separation", "mm"});
-  if (dynamic) columns.push_back({"Smallest", "mm"});
+  std::vector<html::Head> columns = {{"Box", "", true},
+                                     {"On", "", true},
+                                     {"X", shown_name("m")},
+                                     {"Z", shown_name("m")},
+                                     {"Offset", clearances().unit},
+                                     {"Along pipe", shown_name("m")},
+                                     {"Reaction", shown_name("N")}};
+  if (dynamic) columns.push_back({"Largest", shown_name("N")});
+  columns.push_back({"Separation", clearances().unit});
+  if (dynamic) columns.push_back({"Smallest", clearances().unit});
   return columns;
 }
 
@@ -37,14 +40,14 @@ std::vector<std::string> cells(const StaticResults& results, const SupportResult
                                const SupportDynamics* moved) {
   const Vec3 p = ship_point(results, box.p_W);
   std::vector<std::string> row = {box.name, box.stinger ? "stinger" : "ramp"};
-  row.push_back(fixed(setting != nullptr ? setting->x : p.x(), 3));
-  row.push_back(fixed(setting != nullptr ? setting->z : p.z() - results.stern_shoe_W.z(), 3));
-  row.push_back(setting != nullptr ? fixed(1e3 * setting->offset, 0) : "");
-  row.push_back(fixed(from_tensioner(results, box.s), 1));
+  row.push_back(shown_number(setting != nullptr ? setting->x : p.x(), "m", 3));
+  row.push_back(shown_number(setting != nullptr ? setting->z : p.z() - results.stern_shoe_W.z(), "m", 3));
+  row.push_back(setting != nullptr ? clearances().text(setting->offset, 0) : "");
+  row.push_back(shown_number(from_tensioner(results, box.s), "m", 1));
   row.push_back(forces().text(box.reaction, 1));
   if (moved != nullptr) row.push_back(forces().text(moved->reaction.max, 1));
-  row.push_back(fixed(1e3 * box.separation, 1));
-  if (moved != nullptr) row.push_back(fixed(1e3 * moved->separation.min, 1));
+  row.push_back(clearances().text(box.separation, 1));
+  if (moved != nullptr) row.push_back(clearances().text(moved->separation.min, 1));
   return row;
 }
 

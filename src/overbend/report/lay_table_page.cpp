@@ -15,7 +15,7 @@
 namespace overbend {
 namespace {
 
-std::string shown(const TableCell& cell, int digits) {
+std::string cell_text(const TableCell& cell, int digits) {
   if (const auto* number = std::get_if<double>(&cell)) return html::fixed(*number, digits);
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* verdict = std::get_if<VerdictCell>(&cell)) return verdict->text;
@@ -46,7 +46,7 @@ std::string serious_remarks(const LayTable& table) {
   const ShownUnit unit = shown_unit("", table.vary == LayTableVary::tension ? "N" : "m");
   for (const LayTableRow& row : table.rows) {
     if (row.serious.empty()) continue;
-    std::string text = fmt::format("{} {}: ", html::fixed(row.varied * unit.factor, 1), unit.name);
+    std::string text = shown(row.varied, unit, 1) + ": ";
     for (const Finding& finding : row.serious) text += finding.message + (&finding == &row.serious.back() ? "." : "; ");
     list.push_back(std::move(text));
   }
@@ -62,7 +62,7 @@ std::string columns_table(const LayTable& table, const DataTable& data, const st
     std::vector<std::string> cells;
     for (const std::size_t i : columns) {
       const bool remark = i + 1 == data.columns.size();
-      cells.push_back(remark ? short_remark(table.rows[r]) : shown(data.rows[r][i], data.columns[i].digits));
+      cells.push_back(remark ? short_remark(table.rows[r]) : cell_text(data.rows[r][i], data.columns[i].digits));
     }
     const bool passed = table.rows[r].lay && table.rows[r].lay->passed();
     out.row(cells, passed ? "" : "over");
@@ -100,7 +100,7 @@ const LayTableRow* row_of(const LayTable& table, LayRowKind kind) {
 
 std::string varied_words(const LayTable& table, const LayTableRow& row) {
   const ShownUnit unit = shown_unit("", table.vary == LayTableVary::tension ? "N" : "m");
-  return fmt::format("{} {}", html::fixed(row.varied * unit.factor, 1), unit.name);
+  return shown(row.varied, unit, 1);
 }
 
 /// What the table says, in sentences.
@@ -143,9 +143,9 @@ std::vector<std::pair<std::string, std::string>> model_entries(const std::string
   if (!model) return {};
   const SteelDescription& steel = model->pipe.section.steel;
   return {{"Vessel", model->vessel.name},
-          {"Pipe", fmt::format("{} x {} mm steel", html::fixed(1e3 * steel.outside_diameter, 1),
-                               html::fixed(1e3 * steel.wall_thickness, 2))},
-          {"Water depth", html::fixed(model->environment.water_depth, 2) + " m"}};
+          {"Pipe", fmt::format("{} x {} steel", clearances().text(steel.outside_diameter, 1),
+                               shown(steel.wall_thickness, section_length(), 2))},
+          {"Water depth", shown(model->environment.water_depth, "m", 2)}};
 }
 
 }  // namespace

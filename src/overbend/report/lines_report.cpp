@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "base/constants.h"
 #include "report/criteria_section.h"
 #include "report/front_of.h"
 #include "report/html.h"
@@ -20,18 +19,15 @@ namespace {
 
 using html::fixed;
 
-std::string kilo(double newton) {
-  return forces().text(newton, 2);
-}
-
 std::string tiles(const LinesResults& results) {
   std::string out = "<div class=\"tiles\">\n";
   for (const LineResult& line : results.lines) {
     const double most = results.moved ? line.largest_in_time : line.largest_tension;
     const double least = results.moved ? line.least_in_time : line.least_tension;
     out += html::tile(
-        "Tension along " + line.name, kilo(least) + " to " + kilo(most), forces().unit,
-        results.moved ? fmt::format("over time; at rest {} to {}", kilo(line.least_tension), kilo(line.largest_tension))
+        "Tension along " + line.name, shown_number(least, "N", 2) + " to " + shown_number(most, "N", 2), forces().unit,
+        results.moved ? fmt::format("over time; at rest {} to {}", shown_number(line.least_tension, "N", 2),
+                                    shown_number(line.largest_tension, "N", 2))
                       : std::string("at rest"));
   }
   return out + "</div>\n";
@@ -40,30 +36,32 @@ std::string tiles(const LinesResults& results) {
 std::string line_table(const LinesResults& results) {
   html::Table table("Lines at rest",
                     {{"Line", "", true},
-                     {"Length", "m"},
-                     {"On bed", "m"},
-                     {"Submerged weight", "kN"},
-                     {"Least", "kN"},
-                     {"Largest", "kN"},
+                     {"Length", shown_name("m")},
+                     {"On bed", shown_name("m")},
+                     {"Submerged weight", shown_name("N")},
+                     {"Least", shown_name("N")},
+                     {"Largest", shown_name("N")},
                      {"Breaking load", "%"},
                      {"Elements", ""},
                      {"Unbalanced", "of weight"}},
                     "dense summary");
   table.groups({{"", 4}, {"Tension", 2}, {"", 3}});
   for (const LineResult& line : results.lines) {
-    table.row({line.name, fixed(line.length, 2), fixed(line.on_bed, 1), kilo(line.weight), kilo(line.least_tension),
-               kilo(line.largest_tension), line.utilisation ? fixed(100.0 * *line.utilisation, 1) : "-",
+    table.row({line.name, shown_number(line.length, "m", 2), shown_number(line.on_bed, "m", 1),
+               shown_number(line.weight, "N", 2), shown_number(line.least_tension, "N", 2),
+               shown_number(line.largest_tension, "N", 2), line.utilisation ? fixed(100.0 * *line.utilisation, 1) : "-",
                std::to_string(line.elements), fmt::format("{:.1e}", line.residual)});
   }
   return table.str();
 }
 
 std::string end_table(const LinesResults& results) {
-  std::vector<html::Head> head = {{"Line", "", true}, {"End", "", true}, {"Tension", "kN"},     {"east", "kN"},
-                                  {"north", "kN"},    {"up", "kN"},      {"Declination", "deg"}};
+  std::vector<html::Head> head = {
+      {"Line", "", true},         {"End", "", true},       {"Tension", shown_name("N")},      {"east", shown_name("N")},
+      {"north", shown_name("N")}, {"up", shown_name("N")}, {"Declination", shown_name("rad")}};
   std::vector<std::pair<std::string, int>> groups = {{"", 3}, {"Force on the line", 3}, {"", 1}};
   if (results.moved) {
-    for (const char* name : {"min", "max", "mean", "std"}) head.push_back({name, "kN"});
+    for (const char* name : {"min", "max", "mean", "std"}) head.push_back({name, shown_name("N")});
     groups.emplace_back("Tension over time", 4);
   }
   html::Table table("Ends of the lines", head, "dense summary");
@@ -72,14 +70,14 @@ std::string end_table(const LinesResults& results) {
     for (const auto& [name, end] : {std::pair{"first", &line.first}, {"second", &line.second}}) {
       std::vector<std::string> cells = {line.name,
                                         name,
-                                        kilo(end->tension),
-                                        kilo(end->force.x()),
-                                        kilo(end->force.y()),
-                                        kilo(end->force.z()),
-                                        fixed(end->declination * kToDegrees, 2)};
+                                        shown_number(end->tension, "N", 2),
+                                        shown_number(end->force.x(), "N", 2),
+                                        shown_number(end->force.y(), "N", 2),
+                                        shown_number(end->force.z(), "N", 2),
+                                        shown_number(end->declination, "rad", 2)};
       if (results.moved) {
         for (const double value : {end->in_time.min, end->in_time.max, end->in_time.mean, end->in_time.std}) {
-          cells.push_back(kilo(value));
+          cells.push_back(shown_number(value, "N", 2));
         }
       }
       table.row(cells);

@@ -39,10 +39,6 @@ void add_row(html::Table& table, const std::string& name, const Quantity& q, int
              or_dash(motion.most_probable_max)});
 }
 
-Quantity metres() {
-  return {"", "m", 1.0, 3};
-}
-
 /// What the shifts ahead and to port are along and across: a hull without a pipe has no route.
 const char* course(const DynamicResults& results) {
   return results.station_s.empty() ? "hull" : "route";
@@ -51,15 +47,15 @@ const char* course(const DynamicResults& results) {
 std::string vessel_table(const VesselDynamics& v, const std::string& along) {
   html::Table table("Motion of the vessel: slow and wave part", spread_head(), "dense summary");
   table.groups(spread_groups());
-  add_row(table, "Surge, forward", metres(), 3, v.surge);
-  add_row(table, "Sway, to port", metres(), 3, v.sway);
-  add_row(table, "Heave, up", metres(), 3, v.heave);
+  add_row(table, "Surge, forward", lengths(), 3, v.surge);
+  add_row(table, "Sway, to port", lengths(), 3, v.sway);
+  add_row(table, "Heave, up", lengths(), 3, v.heave);
   add_row(table, "Roll, starboard down", angles(), 3, v.roll);
   add_row(table, "Pitch, bow down", angles(), 3, v.pitch);
   add_row(table, "Yaw, bow to port", angles(), 3, v.yaw);
-  add_row(table, "Along the " + along + ", ahead", metres(), 3, v.along);
-  add_row(table, "Across the " + along + ", to port", metres(), 3, v.across);
-  add_row(table, "Horizontal offset", metres(), 3, v.offset);
+  add_row(table, "Along the " + along + ", ahead", lengths(), 3, v.along);
+  add_row(table, "Across the " + along + ", to port", lengths(), 3, v.across);
+  add_row(table, "Horizontal offset", lengths(), 3, v.offset);
   std::string note = fmt::format(
       "<p class=\"small\">Surge to yaw from the hull as drawn; along, across and offset from where midship lay at the "
       "start of the run. Slow: periods above {} s. Most probable: slow and wave part combined.",
@@ -118,17 +114,18 @@ std::string use_table(const std::vector<MooringLineDynamics>& lines) {
   const bool near =
       std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.clearance.has_value(); });
   const bool gave = rendered(lines);
-  std::vector<html::Head> head = {{"Line", "", true},        {"start", "kN"},        {"largest", "kN"},
-                                  {"of breaking load", "%"}, {"most probable", "%"}, {"largest", "kN"},
-                                  {"of holding power", "%"}, {"uplift", "kN"},       {"Least on bed", "m"},
-                                  {"Slack for", "s"}};
+  std::vector<html::Head> head = {
+      {"Line", "", true},        {"start", shown_name("N")},  {"largest", shown_name("N")},
+      {"of breaking load", "%"}, {"most probable", "%"},      {"largest", shown_name("N")},
+      {"of holding power", "%"}, {"uplift", shown_name("N")}, {"Least on bed", shown_name("m")},
+      {"Slack for", "s"}};
   std::vector<std::pair<std::string, int>> groups = {{"", 1}, {"Tension at the fairlead", 4}, {"Anchor", 3}, {"", 2}};
   if (gave) {
-    head.push_back({"Brake let out", "m"});
-    head.push_back({"Anchor slip", "m"});
+    head.push_back({"Brake let out", shown_name("m")});
+    head.push_back({"Anchor slip", shown_name("m")});
   }
   if (near) {
-    head.push_back({"Clearance", "m"});
+    head.push_back({"Clearance", shown_name("m")});
     head.push_back({"to", "", true});
   }
   html::Table table("Mooring lines over time", head, "dense summary");
@@ -142,14 +139,14 @@ std::string use_table(const std::vector<MooringLineDynamics>& lines) {
                                       forces().text(l.anchor_tension.whole.max, 1),
                                       percent(l.anchor_utilisation),
                                       forces().text(l.largest_uplift, 1),
-                                      fixed(l.least_on_bed, 1),
+                                      shown_number(l.least_on_bed, "m", 1),
                                       fixed(l.time_slack, 1)};
     if (gave) {
-      cells.push_back(fixed(l.brake_rendered, 2));
-      cells.push_back(fixed(l.anchor_slip, 2));
+      cells.push_back(shown_number(l.brake_rendered, "m", 2));
+      cells.push_back(shown_number(l.anchor_slip, "m", 2));
     }
     if (near) {
-      cells.push_back(l.clearance ? fixed(*l.clearance, 1) : "-");
+      cells.push_back(l.clearance ? shown_number(*l.clearance, "m", 1) : "-");
       cells.push_back(l.nearest_object);
     }
     table.row(cells, l.utilisation.value_or(0.0) > 1.0 || l.anchor_utilisation.value_or(0.0) > 1.0 ? "over" : "");
@@ -182,15 +179,18 @@ std::string tiles(const DynamicResults& results) {
   std::string out;
   if (results.vessel) {
     const VesselDynamics& v = *results.vessel;
-    out +=
-        tile("Largest offset", fixed(v.offset.whole.max, 2), "m",
-             std::string("horizontal, from the start of the run") +
-                 (v.offset.most_probable_max ? "; most probable in 3 h " + fixed(*v.offset.most_probable_max, 2) : ""));
+    out += tile(
+        "Largest offset", shown_number(v.offset.whole.max, "m", 2), shown_name("m"),
+        std::string("horizontal, from the start of the run") +
+            (v.offset.most_probable_max ? "; most probable in 3 h " + shown_number(*v.offset.most_probable_max, "m", 2)
+                                        : ""));
     const std::string along = course(results);
-    out += tile("Across the " + along, spread_text(metres(), 2, v.across.whole), "m",
-                fmt::format("std slow {}, waves {}", fixed(v.across.slow.std, 2), fixed(v.across.wave.std, 2)));
-    out += tile("Along the " + along, spread_text(metres(), 2, v.along.whole), "m",
-                fmt::format("std slow {}, waves {}", fixed(v.along.slow.std, 2), fixed(v.along.wave.std, 2)));
+    out += tile("Across the " + along, spread_text(lengths(), 2, v.across.whole), shown_name("m"),
+                fmt::format("std slow {}, waves {}", shown_number(v.across.slow.std, "m", 2),
+                            shown_number(v.across.wave.std, "m", 2)));
+    out += tile("Along the " + along, spread_text(lengths(), 2, v.along.whole), shown_name("m"),
+                fmt::format("std slow {}, waves {}", shown_number(v.along.slow.std, "m", 2),
+                            shown_number(v.along.wave.std, "m", 2)));
   }
   const auto hardest = std::max_element(results.moorings.begin(), results.moorings.end(),
                                         [](const MooringLineDynamics& a, const MooringLineDynamics& b) {

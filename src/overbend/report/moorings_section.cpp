@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/constants.h"
 #include "report/figure_list.h"
 #include "report/html.h"
 #include "report/quantity.h"
@@ -16,12 +15,8 @@ namespace {
 using html::fixed;
 using html::tile;
 
-std::string kilo(double newton, int digits = 1) {
-  return forces().text(newton, digits);
-}
-
-std::string optional_text(const std::optional<double>& value, int digits) {
-  return value ? fixed(*value, digits) : "-";
+std::string length_text(const std::optional<double>& value, int digits) {
+  return value ? shown_number(*value, "m", digits) : "-";
 }
 
 std::string use_note(const MooringLineResult& line) {
@@ -32,8 +27,8 @@ std::string use_note(const MooringLineResult& line) {
 std::string tiles(const MooredState& state) {
   std::string out = "<div class=\"tiles\">\n";
   if (const MooringLineResult* hardest = hardest_line(state)) {
-    out += tile("Largest line tension", kilo(hardest->fairlead_tension), forces().unit, use_note(*hardest),
-                hardest->utilisation.value_or(0.0) > 1.0);
+    out += tile("Largest line tension", shown_number(hardest->fairlead_tension, "N", 1), forces().unit,
+                use_note(*hardest), hardest->utilisation.value_or(0.0) > 1.0);
   }
   const MooringLineResult* anchor = nullptr;
   const MooringLineResult* shortest = nullptr;
@@ -44,14 +39,15 @@ std::string tiles(const MooredState& state) {
   }
   if (anchor != nullptr) {
     const std::optional<double>& use = anchor->anchor_utilisation;
-    out += tile("Largest anchor load", kilo(anchor->anchor_tension), forces().unit,
+    out += tile("Largest anchor load", shown_number(anchor->anchor_tension, "N", 1), forces().unit,
                 anchor->name + (use ? ", " + fixed(100.0 * *use, 1) + " % of its holding power" : ""),
                 use.value_or(0.0) > 1.0);
-    out += tile("Least length on the bed", fixed(shortest->on_bed, 1), "m", shortest->name, shortest->on_bed <= 0.0);
+    out += tile("Least length on the bed", shown_number(shortest->on_bed, "m", 1), shown_name("m"), shortest->name,
+                shortest->on_bed <= 0.0);
   }
   const VesselResult& vessel = state.vessel;
-  out += tile("Offset of midship", fixed(std::hypot(vessel.surge, vessel.sway), 3), "m",
-              fmt::format("yaw {} deg, from the hull as drawn", fixed(vessel.yaw * kToDegrees, 3)));
+  out += tile("Offset of midship", shown_number(std::hypot(vessel.surge, vessel.sway), "m", 3), shown_name("m"),
+              fmt::format("yaw {} deg, from the hull as drawn", shown_number(vessel.yaw, "rad", 3)));
   return out + "</div>\n";
 }
 
@@ -66,12 +62,20 @@ std::string remark(const MooringLineResult& line) {
 
 std::string line_table(const MooredState& state) {
   const bool near = any(state, &MooringLineResult::clearance);
-  std::vector<html::Head> head = {{"Line", "", true},   {"Azimuth", "deg"},      {"Length", "m"},
-                                  {"Suspended", "m"},   {"On bed", "m"},         {"Tension", "kN"},
-                                  {"Horizontal", "kN"}, {"Declination", "deg"},  {"Breaking load", "%"},
-                                  {"Anchor", "kN"},     {"Uplift angle", "deg"}, {"Holding power", "%"}};
+  std::vector<html::Head> head = {{"Line", "", true},
+                                  {"Azimuth", shown_name("rad")},
+                                  {"Length", shown_name("m")},
+                                  {"Suspended", shown_name("m")},
+                                  {"On bed", shown_name("m")},
+                                  {"Tension", shown_name("N")},
+                                  {"Horizontal", shown_name("N")},
+                                  {"Declination", shown_name("rad")},
+                                  {"Breaking load", "%"},
+                                  {"Anchor", shown_name("N")},
+                                  {"Uplift angle", shown_name("rad")},
+                                  {"Holding power", "%"}};
   if (near) {
-    head.push_back({"Clearance", "m"});
+    head.push_back({"Clearance", shown_name("m")});
     head.push_back({"to", "", true});
   }
   head.push_back({"", "", true});
@@ -79,20 +83,20 @@ std::string line_table(const MooredState& state) {
   for (const MooringLineResult& l : state.moorings) {
     const auto percent = [](const std::optional<double>& use) { return use ? fixed(100.0 * *use, 1) : "-"; };
     std::vector<std::string> cells = {l.name,
-                                      fixed(l.azimuth * kToDegrees, 1),
-                                      fixed(l.length, 2),
-                                      fixed(l.suspended_length, 1),
-                                      fixed(l.on_bed, 1),
-                                      kilo(l.fairlead_tension),
-                                      kilo(l.horizontal),
-                                      fixed(l.declination * kToDegrees, 2),
+                                      shown_number(l.azimuth, "rad", 1),
+                                      shown_number(l.length, "m", 2),
+                                      shown_number(l.suspended_length, "m", 1),
+                                      shown_number(l.on_bed, "m", 1),
+                                      shown_number(l.fairlead_tension, "N", 1),
+                                      shown_number(l.horizontal, "N", 1),
+                                      shown_number(l.declination, "rad", 2),
                                       percent(l.utilisation),
-                                      kilo(l.anchor_tension),
-                                      fixed(l.uplift_angle * kToDegrees, 2),
+                                      shown_number(l.anchor_tension, "N", 1),
+                                      shown_number(l.uplift_angle, "rad", 2),
                                       percent(l.anchor_utilisation)};
     if (l.parted) std::fill(cells.begin() + 3, cells.end(), "-");
     if (near) {
-      cells.push_back(optional_text(l.clearance, 1));
+      cells.push_back(length_text(l.clearance, 1));
       cells.push_back(l.nearest_object);
     }
     cells.push_back(remark(l));
@@ -107,20 +111,20 @@ std::string line_table(const MooredState& state) {
 
 std::string offset_table(const VesselResult& v) {
   html::Table table("Vessel at rest, from as drawn", {{"", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain");
-  table.row({"Surge, forward", fixed(v.surge, 3), "m"})
-      .row({"Sway, to port", fixed(v.sway, 3), "m"})
-      .row({"Heave, up", fixed(v.heave, 4), "m"})
-      .row({"Roll, starboard down", fixed(v.roll * kToDegrees, 3), "deg"})
-      .row({"Pitch, bow down", fixed(v.pitch * kToDegrees, 3), "deg"})
-      .row({"Yaw, bow to port", fixed(v.yaw * kToDegrees, 3), "deg"});
+  table.row({"Surge, forward", shown_number(v.surge, "m", 3), shown_name("m")})
+      .row({"Sway, to port", shown_number(v.sway, "m", 3), shown_name("m")})
+      .row({"Heave, up", shown_number(v.heave, "m", 4), shown_name("m")})
+      .row({"Roll, starboard down", shown_number(v.roll, "rad", 3), shown_name("rad")})
+      .row({"Pitch, bow down", shown_number(v.pitch, "rad", 3), shown_name("rad")})
+      .row({"Yaw, bow to port", shown_number(v.yaw, "rad", 3), shown_name("rad")});
   return table.str();
 }
 
 std::string thrust_table(const std::vector<double>& thrust) {
   if (thrust.size() != 3) return "";
   html::Table table("Dynamic positioning at rest", {{"", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain");
-  table.row({"Thrust ahead", kilo(thrust[0]), forces().unit})
-      .row({"Thrust to port", kilo(thrust[1]), forces().unit})
+  table.row({"Thrust ahead", shown_number(thrust[0], "N", 1), forces().unit})
+      .row({"Thrust to port", shown_number(thrust[1], "N", 1), forces().unit})
       .row({"Moment, bow to port", moments().text(thrust[2], 0), moments().unit});
   return table.str();
 }
@@ -132,7 +136,12 @@ std::string period_table(const VesselResult& v) {
   return table.str();
 }
 
-/// In kN and m; rotations in radians. Sizes differ by ten thousand.
+/// Of a force or a moment (rows) by a shift or a turn (columns).
+double stiffness_factor(std::size_t row, std::size_t column) {
+  return shown_unit("N").factor * std::pow(shown_unit("m").factor, (row < 3 ? 0 : 1) - (column < 3 ? 1 : 0));
+}
+
+/// Rotations in radians. Sizes differ by ten thousand.
 std::string stiffness_table(const std::vector<double>& stiffness) {
   if (stiffness.size() != 36) return "";
   constexpr std::array<const char*, 6> kFreedoms = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
@@ -140,12 +149,13 @@ std::string stiffness_table(const std::vector<double>& stiffness) {
   for (const char* freedom : kFreedoms) head.push_back({freedom, ""});
   const double largest = std::abs(*std::max_element(stiffness.begin(), stiffness.end(),
                                                     [](double a, double b) { return std::abs(a) < std::abs(b); }));
-  html::Table table("Stiffness of lines, thrusters and water about midship [kN/m, kN, kN m]", head, "plain");
+  const std::string units = fmt::format("[{0}/{1}, {0}, {0} {1}]", shown_name("N"), shown_name("m"));
+  html::Table table("Stiffness of lines, thrusters and water about midship " + units, head, "plain");
   for (std::size_t i = 0; i < 6; ++i) {
     std::vector<std::string> cells = {kFreedoms[i]};
     for (std::size_t k = 0; k < 6; ++k) {
       const double value = stiffness[6 * i + k];
-      cells.push_back(std::abs(value) < 1e-9 * largest ? "0" : fmt::format("{:.5g}", 1e-3 * value));
+      cells.push_back(std::abs(value) < 1e-9 * largest ? "0" : fmt::format("{:.5g}", value * stiffness_factor(i, k)));
     }
     table.row(cells);
   }

@@ -39,16 +39,16 @@ std::vector<std::string> all_assumptions(const OperationResults& results) {
 
 void add_head(const HeadDescription& head, Listing& table) {
   table.add("Head, length", head.length, "m")
-      .add("Head, weight in air", forces().shown(head.weight_in_air), "kN")
-      .add("Head, submerged weight", forces().shown(head.weight_submerged), "kN");
+      .add("Head, weight in air", head.weight_in_air, "N")
+      .add("Head, submerged weight", head.weight_submerged, "N");
 }
 
 void add_cable(const CableDescription& cable, Listing& table) {
-  table.add("Cable, diameter", 1e3 * cable.diameter, "mm")
-      .add("Cable, weight in air", cable.weight_in_air, "N/m")
-      .add("Cable, submerged weight", cable.weight_submerged, "N/m")
-      .add("Cable, axial stiffness", forces().shown(cable.axial_stiffness), "kN");
-  if (cable.breaking_load) table.add("Cable, breaking load", forces().shown(*cable.breaking_load), "kN");
+  table.add("Cable, diameter", cable.diameter, section_length())
+      .add("Cable, weight in air", cable.weight_in_air, line_weight())
+      .add("Cable, submerged weight", cable.weight_submerged, line_weight())
+      .add("Cable, axial stiffness", cable.axial_stiffness, "N");
+  if (cable.breaking_load) table.add("Cable, breaking load", *cable.breaking_load, "N");
   if (cable.length) table.add("Cable, length", *cable.length, "m");
 }
 

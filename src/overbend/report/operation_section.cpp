@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/constants.h"
 #include "report/figure_list.h"
 #include "report/html.h"
 #include "report/moorings_section.h"
@@ -12,18 +11,13 @@
 namespace overbend {
 namespace {
 
-using html::fixed;
-
-std::string kilo(double newton) {
-  return forces().text(newton, 1);
-}
-
-std::string signed_text(double value, int digits) {
-  const std::string text = fixed(value, digits);
+std::string signed_text(double value, std::string_view si, int digits) {
+  const std::string text = shown_number(value, si, digits);
   return text.front() == '-' || std::stod(text) == 0.0 ? text : "+" + text;
 }
 
-std::vector<html::Head> line_heads(const MooringResults& results, std::vector<html::Head> head, const char* unit) {
+std::vector<html::Head> line_heads(const MooringResults& results, std::vector<html::Head> head,
+                                   const std::string& unit) {
   for (const MooringLineResult& line : results.rest.moorings) head.push_back({line.name, unit});
   return head;
 }
@@ -33,18 +27,20 @@ bool has_lines(const MooringResults& results) {
 }
 
 std::string stage_table(const MooringResults& results) {
-  std::vector<html::Head> head = {{"Stage", "", true}, {"Surge", "m"}, {"Sway", "m"}, {"Yaw", "deg"}};
+  std::vector<html::Head> head = {
+      {"Stage", "", true}, {"Surge", shown_name("m")}, {"Sway", shown_name("m")}, {"Yaw", shown_name("rad")}};
   const bool positioned = !results.rest.thrust.empty();
-  if (positioned) head.insert(head.end(), {{"Thrust ahead", "kN"}, {"Thrust to port", "kN"}});
+  if (positioned) head.insert(head.end(), {{"Thrust ahead", shown_name("N")}, {"Thrust to port", shown_name("N")}});
   html::Table table(has_lines(results) ? "Offset of the vessel and tension at the fairleads" : "Offset of the vessel",
-                    line_heads(results, head, "kN"), "dense summary");
+                    line_heads(results, head, shown_name("N")), "dense summary");
   const auto row = [&](const MooredState& state) {
-    std::vector<std::string> cells = {state.name, fixed(state.vessel.surge, 3), fixed(state.vessel.sway, 3),
-                                      fixed(state.vessel.yaw * kToDegrees, 3)};
-    for (std::size_t i = 0; i < (positioned ? 2 : 0); ++i) cells.push_back(kilo(state.thrust[i]));
+    std::vector<std::string> cells = {state.name, shown_number(state.vessel.surge, "m", 3),
+                                      shown_number(state.vessel.sway, "m", 3),
+                                      shown_number(state.vessel.yaw, "rad", 3)};
+    for (std::size_t i = 0; i < (positioned ? 2 : 0); ++i) cells.push_back(shown_number(state.thrust[i], "N", 1));
     bool over = false;
     for (const MooringLineResult& line : state.moorings) {
-      cells.push_back(line.parted ? "parted" : kilo(line.fairlead_tension));
+      cells.push_back(line.parted ? "parted" : shown_number(line.fairlead_tension, "N", 1));
       over = over || line.utilisation.value_or(0.0) > 1.0;
     }
     table.row(cells, over ? "over" : "");
@@ -58,21 +54,22 @@ std::string winch_table(const MooringResults& results) {
   if (results.winches.empty()) return "";
   html::Table table("Winches, from the first stage to the last",
                     {{"Line", "", true},
-                     {"Paid out", "m"},
-                     {"before", "m"},
-                     {"after", "m"},
-                     {"before", "kN"},
-                     {"after", "kN"},
-                     {"change", "kN"}},
+                     {"Paid out", shown_name("m")},
+                     {"before", shown_name("m")},
+                     {"after", shown_name("m")},
+                     {"before", shown_name("N")},
+                     {"after", shown_name("N")},
+                     {"change", shown_name("N")}},
                     "plain");
   table.groups({{"", 2}, {"First segment", 2}, {"Tension at the fairlead", 3}});
   for (const WinchMove& move : results.winches) {
-    table.row({move.name, signed_text(move.after - move.before, 3), fixed(move.before, 3), fixed(move.after, 3),
-               kilo(move.tension_before), kilo(move.tension_after),
-               signed_text(1e-3 * (move.tension_after - move.tension_before), 1)});
+    table.row({move.name, signed_text(move.after - move.before, "m", 3), shown_number(move.before, "m", 3),
+               shown_number(move.after, "m", 3), shown_number(move.tension_before, "N", 1),
+               shown_number(move.tension_after, "N", 1),
+               signed_text(move.tension_after - move.tension_before, "N", 1)});
   }
   return table.str() + "<p class=\"small\">Paid out: negative where the winch hauls in. The pull-ahead is " +
-         fixed(results.distance, 2) + " m; lengths are unstressed.</p>\n";
+         shown(results.distance, "m", 2) + "; lengths are unstressed.</p>\n";
 }
 
 bool has_pipe(const MooringResults& results) {
@@ -83,26 +80,27 @@ bool has_pipe(const MooringResults& results) {
 std::string pipe_table(const MooringResults& results) {
   if (!has_pipe(results)) return "";
   html::Table table("The pipe at the places of the pull-ahead",
-                    {{"Advance", "m"},
-                     {"top", "kN"},
-                     {"bottom", "kN"},
-                     {"stress", "MPa"},
+                    {{"Advance", shown_name("m")},
+                     {"top", shown_name("N")},
+                     {"bottom", shown_name("N")},
+                     {"stress", shown_name("Pa")},
                      {"strain", "%"},
-                     {"stress", "MPa"},
+                     {"stress", shown_name("Pa")},
                      {"strain", "%"},
-                     {"Largest reaction", "kN"},
+                     {"Largest reaction", shown_name("N")},
                      {"at", "", true},
-                     {"Lay-back", "m"},
-                     {"Stinger tip clearance", "m"}},
+                     {"Lay-back", shown_name("m")},
+                     {"Stinger tip clearance", shown_name("m")}},
                     "dense summary");
   table.groups({{"", 1}, {"Tension", 2}, {"Overbend, bending", 2}, {"Sagbend, bending", 2}, {"", 4}});
   for (const MoveStep& step : results.steps) {
     const PipeAtStep& pipe = *step.pipe;
-    table.row({fixed(step.advance, 2), kilo(pipe.top_tension), kilo(pipe.bottom_tension),
-               stresses().text(pipe.overbend_bending_stress, 1), strains().text(pipe.overbend_strain, 4),
-               stresses().text(pipe.sagbend_bending_stress, 1), strains().text(pipe.sagbend_strain, 4),
-               kilo(pipe.largest_reaction), pipe.largest_reaction_support, fixed(pipe.lay_back, 2),
-               pipe.stinger_tip_clearance ? fixed(*pipe.stinger_tip_clearance, 3) : "-"});
+    table.row({shown_number(step.advance, "m", 2), shown_number(pipe.top_tension, "N", 1),
+               shown_number(pipe.bottom_tension, "N", 1), stresses().text(pipe.overbend_bending_stress, 1),
+               strains().text(pipe.overbend_strain, 4), stresses().text(pipe.sagbend_bending_stress, 1),
+               strains().text(pipe.sagbend_strain, 4), shown_number(pipe.largest_reaction, "N", 1),
+               pipe.largest_reaction_support, shown_number(pipe.lay_back, "m", 2),
+               pipe.stinger_tip_clearance ? shown_number(*pipe.stinger_tip_clearance, "m", 3) : "-"});
   }
   return table.str();
 }
@@ -110,15 +108,19 @@ std::string pipe_table(const MooringResults& results) {
 /// Long, and of interest to whoever sets the winches.
 std::string step_tables(const MooringResults& results) {
   if (results.steps.empty() || !has_lines(results)) return "";
-  html::Table lengths("Unstressed length of the first segments",
-                      line_heads(results, {{"Advance", "m"}, {"Sway", "m"}, {"Yaw", "deg"}}, "m"), "dense summary");
-  html::Table tensions("Tension at the fairleads", line_heads(results, {{"Advance", "m"}}, "kN"), "dense summary");
+  html::Table lengths(
+      "Unstressed length of the first segments",
+      line_heads(results, {{"Advance", shown_name("m")}, {"Sway", shown_name("m")}, {"Yaw", shown_name("rad")}},
+                 shown_name("m")),
+      "dense summary");
+  html::Table tensions("Tension at the fairleads", line_heads(results, {{"Advance", shown_name("m")}}, shown_name("N")),
+                       "dense summary");
   for (const MoveStep& step : results.steps) {
-    std::vector<std::string> length = {fixed(step.advance, 2), fixed(step.vessel.sway, 3),
-                                       fixed(step.vessel.yaw * kToDegrees, 3)};
-    std::vector<std::string> tension = {fixed(step.advance, 2)};
-    for (const double value : step.lengths) length.push_back(fixed(value, 3));
-    for (const double value : step.tensions) tension.push_back(kilo(value));
+    std::vector<std::string> length = {shown_number(step.advance, "m", 2), shown_number(step.vessel.sway, "m", 3),
+                                       shown_number(step.vessel.yaw, "rad", 3)};
+    std::vector<std::string> tension = {shown_number(step.advance, "m", 2)};
+    for (const double value : step.lengths) length.push_back(shown_number(value, "m", 3));
+    for (const double value : step.tensions) tension.push_back(shown_number(value, "N", 1));
     lengths.row(length);
     tensions.row(tension);
   }
@@ -132,16 +134,17 @@ std::string anchor_table(const MooringResults& results) {
                     {{"Before joint", ""},
                      {"Line", "", true},
                      {"Reason", "", true},
-                     {"east", "m"},
-                     {"north", "m"},
-                     {"east", "m"},
-                     {"north", "m"},
-                     {"Length", "m"}},
+                     {"east", shown_name("m")},
+                     {"north", shown_name("m")},
+                     {"east", shown_name("m")},
+                     {"north", shown_name("m")},
+                     {"Length", shown_name("m")}},
                     "plain");
   table.groups({{"", 3}, {"From", 2}, {"To", 2}, {"", 1}});
   for (const AnchorDue& due : results.anchors) {
-    table.row({std::to_string(due.joint), due.line, due.reason, fixed(due.from_W.x(), 1), fixed(due.from_W.y(), 1),
-               fixed(due.to_W.x(), 1), fixed(due.to_W.y(), 1), fixed(due.length, 2)});
+    table.row({std::to_string(due.joint), due.line, due.reason, shown_number(due.from_W.x(), "m", 1),
+               shown_number(due.from_W.y(), "m", 1), shown_number(due.to_W.x(), "m", 1),
+               shown_number(due.to_W.y(), "m", 1), shown_number(due.length, "m", 2)});
   }
   return table.str();
 }

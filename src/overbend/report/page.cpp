@@ -6,6 +6,8 @@
 #include <ctime>
 #include <vector>
 
+#include "base/json.h"
+#include "base/shown_unit.h"
 #include "report/assets.h"
 #include "report/html.h"
 #include "runstore/replace_file.h"
@@ -23,8 +25,20 @@ std::string head(const std::string& title) {
          html::escape(title) + "</title>\n<style>\n" + std::string(report_asset("style")) + "</style>\n</head>\n";
 }
 
+/// What the figures show SI values in.
+std::string units() {
+  Json all = Json::object();
+  const auto put = [&](std::string_view si, const ShownUnit& unit) {
+    all[std::string(si)] = {{"name", unit.name}, {"factor", unit.factor}, {"more", unit.more}};
+  };
+  for (const ShownUnit& unit : shown_units(units_in_use())) put(unit.si, unit);
+  put("section", section_length());
+  return "<script type=\"application/json\" id=\"shown-units\">" + html::escape_json(all.dump()) + "</script>\n";
+}
+
 std::string scripts(const std::string& data, const std::vector<const char*>& names) {
   std::string out = "<script type=\"application/json\" id=\"results-data\">" + html::escape_json(data) + "</script>\n";
+  out += units();
   for (const char* name : names) out += script(report_asset(name));
   return out;
 }

@@ -9,24 +9,24 @@ namespace overbend {
 namespace {
 
 std::string place(const PassagePeak& peak) {
-  return peak.stage.empty() ? "-" : html::fixed(peak.passed, 2);
+  return peak.stage.empty() ? "-" : shown_number(peak.passed, "m", 2);
 }
 
 std::string at(const PassagePeak& peak) {
-  return fmt::format("with the structure {} m from the tensioner ({})", html::fixed(peak.passed, 2), peak.stage);
+  return fmt::format("with the structure {} from the tensioner ({})", shown(peak.passed, "m", 2), peak.stage);
 }
 
 std::vector<std::string> findings(const PassageResults& passage) {
   std::vector<std::string> list;
   if (!passage.reaction.stage.empty()) {
-    list.push_back(fmt::format("The largest reaction of a roller under the structure is {} kN, {}, {}.",
-                               forces().text(passage.reaction.value, 1), passage.support, at(passage.reaction)));
+    list.push_back(fmt::format("The largest reaction of a roller under the structure is {}, {}, {}.",
+                               shown(passage.reaction.value, "N", 1), passage.support, at(passage.reaction)));
   }
   if (!passage.strain.stage.empty()) {
     list.push_back(fmt::format(
         "The largest strain of the pipe beside the structure is {} %, {}; its von Mises stress is at "
-        "most {} MPa.",
-        strains().text(passage.strain.value, 4), at(passage.strain), stresses().text(passage.von_mises.value, 1)));
+        "most {}.",
+        strains().text(passage.strain.value, 4), at(passage.strain), shown(passage.von_mises.value, "Pa", 1)));
   }
   return list;
 }
@@ -36,12 +36,12 @@ std::vector<std::string> findings(const PassageResults& passage) {
 std::string passage_section(const PassageResults& passage) {
   html::Table table("",
                     {{"Box", "", true},
-                     {"reaction", "kN"},
-                     {"structure at", "m"},
-                     {"reaction", "kN"},
-                     {"structure at", "m"},
+                     {"reaction", shown_name("N")},
+                     {"structure at", shown_name("m")},
+                     {"reaction", shown_name("N")},
+                     {"structure at", shown_name("m")},
                      {"strain", "%"},
-                     {"structure at", "m"}},
+                     {"structure at", shown_name("m")}},
                     "dense summary");
   table.groups({{"", 1}, {"Single roller", 2}, {"Whole box", 2}, {"Line over the box", 2}});
   for (const PassageBox& box : passage.boxes) {

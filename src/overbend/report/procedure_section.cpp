@@ -20,10 +20,6 @@ namespace {
 
 using html::fixed;
 
-std::string kilo(double newton) {
-  return forces().text(newton, 1);
-}
-
 std::optional<double> tension_of(const StageResult& stage) {
   if (stage.stage.tension) return stage.stage.tension;
   return stage.lay ? std::optional(stage.lay->top_tension) : std::nullopt;
@@ -41,7 +37,7 @@ std::optional<double> cable_limit(const std::optional<Description>& description)
 
 std::string hold_words(const HoldPoint& point, const std::string& progress) {
   std::string text = point.what;
-  if (point.out) text += fmt::format(" (at {} {} m)", progress, fixed(*point.out, 1));
+  if (point.out) text += fmt::format(" (at {} {})", progress, shown(*point.out, "m", 1));
   return text;
 }
 
@@ -67,36 +63,37 @@ std::string step_table(const OperationResults& results, const std::optional<Desc
     columns.push_back({group, std::move(head), std::move(text)});
   };
   const auto with_head = [&](double (*value)(const HeadResult&)) {
-    return of_lay(results, [value](const StaticResults& lay) { return lay.head ? fixed(value(*lay.head), 1) : ""; });
+    return of_lay(results,
+                  [value](const StaticResults& lay) { return lay.head ? shown_number(value(*lay.head), "m", 1) : ""; });
   };
   add("", {"Step", "", true}, [&](std::size_t i) { return stage_title(results, i); });
-  add("", {progress_name(results.type), "m"}, [&](std::size_t i) {
+  add("", {progress_name(results.type), shown_name("m")}, [&](std::size_t i) {
     const std::optional<double> out = progress_of(results.stages[i].stage);
-    return out ? fixed(*out, 1) : "";
+    return out ? shown_number(*out, "m", 1) : "";
   });
-  add("Tension", {"hold", "kN"}, [&](std::size_t i) {
+  add("Tension", {"hold", shown_name("N")}, [&](std::size_t i) {
     const std::optional<double> tension = tension_of(results.stages[i]);
-    return tension ? kilo(*tension) : "";
+    return tension ? shown_number(*tension, "N", 1) : "";
   });
-  add("Tension", {"not below", "kN"}, [&](std::size_t i) {
+  add("Tension", {"not below", shown_name("N")}, [&](std::size_t i) {
     const StageResult& stage = results.stages[i];
-    if (stage.failure && stage.failure->least_tension) return kilo(*stage.failure->least_tension);
-    return stage.governing.empty() || !tension_of(stage) ? std::string() : kilo(*tension_of(stage));
+    if (stage.failure && stage.failure->least_tension) return shown_number(*stage.failure->least_tension, "N", 1);
+    return stage.governing.empty() || !tension_of(stage) ? std::string() : shown_number(*tension_of(stage), "N", 1);
   });
-  add("Tension", {"not above", "kN"}, [&](std::size_t i) {
+  add("Tension", {"not above", shown_name("N")}, [&](std::size_t i) {
     const std::optional<StaticResults>& lay = results.stages[i].lay;
-    return most && lay && lay->cable ? kilo(*most) : std::string();
+    return most && lay && lay->cable ? shown_number(*most, "N", 1) : std::string();
   });
-  add("", {"Barge ahead", "m"},
-      [&](std::size_t i) { return results.stages[i].lay ? fixed(results.stages[i].barge_ahead, 1) : ""; });
-  add("Head", {"depth", "m"}, with_head([](const HeadResult& head) { return -head.p_W.z(); }));
-  add("Head", {"astern", "m"}, with_head([](const HeadResult& head) { return head.astern; }));
-  add("Head", {"over bed", "m"}, with_head([](const HeadResult& head) { return head.clearance; }));
-  add("Watch", {"tip clearance", "m"}, of_lay(results, [](const StaticResults& lay) {
-        return lay.stinger_tip_clearance ? fixed(*lay.stinger_tip_clearance, 2) : "";
+  add("", {"Barge ahead", shown_name("m")},
+      [&](std::size_t i) { return results.stages[i].lay ? shown_number(results.stages[i].barge_ahead, "m", 1) : ""; });
+  add("Head", {"depth", shown_name("m")}, with_head([](const HeadResult& head) { return -head.p_W.z(); }));
+  add("Head", {"astern", shown_name("m")}, with_head([](const HeadResult& head) { return head.astern; }));
+  add("Head", {"over bed", shown_name("m")}, with_head([](const HeadResult& head) { return head.clearance; }));
+  add("Watch", {"tip clearance", shown_name("m")}, of_lay(results, [](const StaticResults& lay) {
+        return lay.stinger_tip_clearance ? shown_number(*lay.stinger_tip_clearance, "m", 2) : "";
       }));
-  add("Watch", {"roller load", "kN"}, of_lay(results, [](const StaticResults& lay) {
-        return lay.largest_reaction_support.empty() ? "" : kilo(lay.largest_reaction);
+  add("Watch", {"roller load", shown_name("N")}, of_lay(results, [](const StaticResults& lay) {
+        return lay.largest_reaction_support.empty() ? "" : shown_number(lay.largest_reaction, "N", 1);
       }));
   add("Watch", {"at", "", true},
       of_lay(results, [](const StaticResults& lay) { return lay.largest_reaction_support; }));
@@ -140,15 +137,16 @@ void add_steps_to_avoid(const OperationResults& results, std::vector<std::string
 /// What the operation may not do, as the model gives it.
 void add_limits(const StageLimits& limits, std::vector<std::string>& reasons) {
   if (limits.tip_clearance) {
-    reasons.push_back(fmt::format("Clearance at the stinger tip below {} m.", fixed(*limits.tip_clearance, 2)));
+    reasons.push_back(fmt::format("Clearance at the stinger tip below {}.", shown(*limits.tip_clearance, "m", 2)));
   }
-  if (limits.roller_load) reasons.push_back(fmt::format("Load of a roller above {} kN.", kilo(*limits.roller_load)));
+  if (limits.roller_load)
+    reasons.push_back(fmt::format("Load of a roller above {}.", shown(*limits.roller_load, "N", 1)));
   if (limits.sagbend_strain) {
     reasons.push_back(fmt::format("Tension below \"not below\": the strain of the sagbend exceeds {} %.",
                                   strains().text(*limits.sagbend_strain, 3)));
   }
   if (limits.sagbend_stress) {
-    reasons.push_back(fmt::format("Tension below \"not below\": the stress of the sagbend exceeds {} MPa.",
+    reasons.push_back(fmt::format("Tension below \"not below\": the stress of the sagbend exceeds {}.",
                                   stresses().text(*limits.sagbend_stress, 0)));
   }
 }
@@ -159,9 +157,9 @@ std::string abort_list(const OperationResults& results, const std::optional<Desc
   if (const std::optional<double> most = cable_limit(description)) {
     const SafetyFactor factor = cable_safety_factor(description->checks.safety_factors);
     reasons.push_back(fmt::format(
-        "Tension of the cable above {} kN: its breaking load of {} kN over a safety factor of {:.3g} ({}){}.",
-        kilo(*most), kilo(*description->operation.lay.cable->breaking_load), factor.value, factor.source,
-        description->operation.lay.program ? ", times the utilisation that the model allows" : ""));
+        "Tension of the cable above {}: its breaking load of {} over a safety factor of {:.3g} ({}){}.",
+        shown(*most, "N", 1), shown(*description->operation.lay.cable->breaking_load, "N", 1), factor.value,
+        factor.source, description->operation.lay.program ? ", times the utilisation that the model allows" : ""));
   }
   if (description && description->operation.lay.program) {
     add_limits(description->operation.lay.program->limits, reasons);
@@ -198,9 +196,9 @@ const StaticResults* first_lay(const OperationResults& results) {
 std::string procedure_section(const OperationResults& results, const std::optional<Description>& description) {
   const StaticResults* lay = first_lay(results);
   if (lay == nullptr) return "";
-  const std::string subject = fmt::format("{}: {}. {}, water depth {} m, pipe {} mm over the coating.",
-                                          operation_title(results.type), results.title, lay->vessel_name,
-                                          fixed(lay->water_depth, 1), fixed(1e3 * lay->pipe_outer_diameter, 0));
+  const std::string subject = fmt::format(
+      "{}: {}. {}, water depth {}, pipe {} over the coating.", operation_title(results.type), results.title,
+      lay->vessel_name, shown(lay->water_depth, "m", 1), shown(lay->pipe_outer_diameter, section_length(), 0));
   return html::section(
       "procedure", "Procedure sheet",
       "<p>" + html::escape(subject) + "</p>\n" + signatures(description) + step_table(results, description) +

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
-#include "base/shown_unit.h"
 #include "report/history_name.h"
 #include "report/html.h"
 
@@ -15,6 +15,10 @@ namespace {
 void replace(std::string& text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   if (at != std::string::npos) text.replace(at, from.size(), to);
+}
+
+ShownUnit in_use(const ShownUnit& metric, const ShownUnit& us) {
+  return units_in_use() == UnitSystem::us ? us : metric;
 }
 
 std::string words(const std::string& name) {
@@ -41,12 +45,41 @@ std::string words(const std::string& name) {
 }  // namespace
 
 std::string Quantity::text(double si, int decimals) const {
-  return html::fixed(shown(si), decimals);
+  return html::fixed(shown(si), std::max(0, decimals + more));
 }
 
 Quantity quantity(const std::string& name, const std::string& units) {
   const ShownUnit unit = shown_unit(quantity_of(name), units);
-  return {words(name), std::string(unit.name), unit.factor, unit.digits};
+  return {words(name), std::string(unit.name), unit.factor, unit.digits, unit.more};
+}
+
+Quantity clearances() {
+  const ShownUnit unit = section_length();
+  return {"clearance", std::string(unit.name), unit.factor, unit.digits, unit.more};
+}
+
+ShownUnit line_weight() {
+  return in_use({"N/m", "N/m", 1.0, 1}, {"N/m", "lbf/ft", shown_unit("N/m").factor, 2, 1});
+}
+
+ShownUnit impulse() {
+  return in_use({"N s", "N s", 1.0, 1}, {"N s", "lbf s", 1e3 * shown_unit("N s").factor, 2, 1});
+}
+
+ShownUnit rope_stiffness() {
+  return in_use({"N", "MN", 1e-6, 1}, {"N", "kip", shown_unit("N").factor, 0, -1});
+}
+
+ShownUnit steel_area() {
+  return in_use({"m2", "mm2", 1e6, 1}, {"m2", "in2", std::pow(section_length().factor, 2), 4, 3});
+}
+
+ShownUnit steel_inertia() {
+  return in_use({"m4", "cm4", 1e8, 1}, {"m4", "in4", std::pow(section_length().factor, 4), 3, 2});
+}
+
+std::string headed(const std::string& name, std::string_view si) {
+  return name + " [" + shown_name(si) + "]";
 }
 
 std::string duration_words(double seconds) {

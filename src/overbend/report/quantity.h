@@ -2,6 +2,9 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+
+#include "base/shown_unit.h"
 
 namespace overbend {
 
@@ -10,6 +13,7 @@ struct Quantity {
   std::string name, unit;
   double factor = 1.0;
   int digits = 3;
+  int more = 0;  ///< Decimals more than asked for, see base/shown_unit.h.
 
   double shown(double si) const { return factor * si; }
   std::string text(double si) const { return text(si, digits); }
@@ -43,10 +47,21 @@ inline Quantity line_loads() {
 inline Quantity dents() {
   return quantity("dent_depth", "m");
 }
-/// Small distances between pipe and roller.
-inline Quantity clearances() {
-  return {"clearance", "mm", 1e3, 1};
+inline Quantity lengths() {
+  return quantity("length", "m");
 }
+/// Small distances between pipe and roller, lengths of a cross-section.
+Quantity clearances();
+
+// Units of reports alone.
+ShownUnit line_weight();     ///< Of ropes and chains [N/m].
+ShownUnit impulse();         ///< [N s]
+ShownUnit rope_stiffness();  ///< [N]
+ShownUnit steel_area();      ///< [m2]
+ShownUnit steel_inertia();   ///< [m4]
+
+/// "Lay-back [m]": a name with the unit that its values are shown in.
+std::string headed(const std::string& name, std::string_view si);
 
 /// A duration in the largest unit that leaves it above one: "45 s", "10 min", "3 h". [s]
 std::string duration_words(double seconds);

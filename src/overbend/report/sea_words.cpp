@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "base/constants.h"
+#include "base/shown_unit.h"
 #include "mechanics/wave_spectrum.h"
 #include "model/rao_table.h"
 #include "model/sea_statistics.h"
@@ -18,7 +19,7 @@ std::string direction_words(const WavesDescription& waves) {
 }
 
 std::string regular(const char* kind, const WavesDescription& waves) {
-  return fmt::format("{}, height {:.4g} m, period {:.4g} s, {}", kind, waves.height, waves.period,
+  return fmt::format("{}, height {}, period {:.4g} s, {}", kind, shown_digits(waves.height, "m", 4), waves.period,
                      direction_words(waves));
 }
 
@@ -46,11 +47,12 @@ std::string sea_words(const WavesDescription& waves) {
       return regular("regular Stokes wave of fifth order", waves);
     case WaveType::jonswap:
       return random_sea(
-          fmt::format("JONSWAP, Hs {:.4g} m, Tp {:.4g} s, gamma {:.3g}{}", waves.hs, waves.tp,
+          fmt::format("JONSWAP, Hs {}, Tp {:.4g} s, gamma {:.3g}{}", shown_digits(waves.hs, "m", 4), waves.tp,
                       waves.gamma ? *waves.gamma : jonswap_gamma(waves.hs, waves.tp), waves.gamma ? "" : " by rule"),
           waves);
     case WaveType::pierson_moskowitz:
-      return random_sea(fmt::format("Pierson-Moskowitz, Hs {:.4g} m, Tp {:.4g} s", waves.hs, waves.tp), waves);
+      return random_sea(fmt::format("Pierson-Moskowitz, Hs {}, Tp {:.4g} s", shown_digits(waves.hs, "m", 4), waves.tp),
+                        waves);
     case WaveType::user:
       break;
   }

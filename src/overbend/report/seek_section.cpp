@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/shown_unit.h"
 #include "base/units.h"
 #include "report/figure_list.h"
 #include "report/html.h"
@@ -29,8 +30,9 @@ std::string unknown_table(const SeekResults& seek) {
 std::string slope_words(const SeekResults& seek, const SeekGoal& goal) {
   if (goal.slope.size() != 1) return "-";
   const SeekUnknown& u = seek.unknowns.front();
-  const double per = u.show.empty() ? 1.0 : unit_factor(u.show, u.unit).value_or(1.0);
-  return result_words(goal.slope.front() * per, goal, 4) + (u.show.empty() ? "" : " per " + u.show);
+  const std::string unit = key_unit(u);
+  const double per = unit.empty() ? 1.0 : unit_factor(unit, u.unit).value_or(1.0);
+  return result_words(goal.slope.front() * per, goal, 4) + (unit.empty() ? "" : " per " + unit);
 }
 
 std::string goal_table(const SeekResults& seek) {
@@ -75,8 +77,7 @@ Json shown_in(const std::string& name, const std::string& unit, const std::strin
 }
 
 Json goal_data(const SeekGoal& goal) {
-  const std::vector<std::string> units = usual_units(goal.unit);
-  Json data = shown_in(goal.result, goal.unit, units.empty() || goal.unit == "1" ? "" : units.front());
+  Json data = shown_in(goal.result, goal.unit, shown_name(goal.unit));
   data["wanted"] = goal.is ? Json(goal.wanted) : Json(nullptr);
   data["reached"] = goal.reached ? Json(*goal.reached) : Json(nullptr);
   return data;
@@ -101,7 +102,7 @@ Json seek_figure_data(const SeekResults& seek) {
   Json data;
   data["keys"] = Json::array();
   for (const SeekUnknown& u : seek.unknowns) {
-    Json key = shown_in(u.name, u.unit, u.show);
+    Json key = shown_in(u.name, u.unit, key_unit(u));
     key["answer"] = u.answer;
     data["keys"].push_back(key);
   }

@@ -2,19 +2,23 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_unit.h"
 #include "base/units.h"
 
 namespace overbend {
 
+std::string key_unit(const SeekUnknown& unknown) {
+  if (unknown.show.empty() || units_in_use() == UnitSystem::metric) return unknown.show;
+  return shown_name(unknown.unit);
+}
+
 std::string quantity_words(double value, const SeekUnknown& unknown, int digits) {
-  if (unknown.show.empty()) return format_number(value, digits);
-  return format_quantity(value, unknown.unit, unknown.show, digits);
+  const std::string unit = key_unit(unknown);
+  return unit.empty() ? format_number(value, digits) : format_quantity(value, unknown.unit, unit, digits);
 }
 
 std::string result_words(double value, const SeekGoal& goal, int digits) {
-  const std::vector<std::string> units = usual_units(goal.unit);
-  if (units.empty() || goal.unit == "1") return format_number(value, digits);
-  return format_quantity(value, goal.unit, units.front(), digits);
+  return shown_digits(value, goal.unit, digits);
 }
 
 std::string wanted_words(const SeekGoal& goal) {

@@ -72,8 +72,10 @@ struct Curve {
   std::function<std::optional<double>(const StageResult&, const StaticResults&)> value;
 };
 
-Quantity in_metres() {
-  return {"", "m", 1.0, 2};
+Quantity distances() {
+  Quantity lengths_to_read = lengths();
+  lengths_to_read.digits = 2;
+  return lengths_to_read;
 }
 
 std::vector<Curve> curves() {
@@ -83,7 +85,7 @@ std::vector<Curve> curves() {
   return {
       {"top", "Tension at the top", forces(), [](Stage, Lay lay) { return std::optional(lay.top_tension); }},
       {"bottom", "Tension at touchdown", forces(), [](Stage, Lay lay) { return std::optional(lay.bottom_tension); }},
-      {"depth", "Depth of the head", in_metres(),
+      {"depth", "Depth of the head", distances(),
        [](Stage, Lay lay) { return lay.head ? std::optional(-lay.head->p_W.z()) : std::nullopt; }},
       {"cable", "Cable, of its breaking load", percent,
        [](Stage, Lay lay) { return lay.cable ? lay.cable->utilisation : std::nullopt; }},
@@ -93,7 +95,7 @@ std::vector<Curve> curves() {
        [](Stage, Lay lay) { return has_sagbend(lay) ? std::optional(lay.sagbend.strain.value) : std::nullopt; }},
       {"overbend_strain", "Overbend, strain", strains(),
        [](Stage, Lay lay) { return lay.overbend ? std::optional(lay.overbend->strain.value) : std::nullopt; }},
-      {"tip", "Clearance at the stinger tip", in_metres(), [](Stage, Lay lay) { return lay.stinger_tip_clearance; }},
+      {"tip", "Clearance at the stinger tip", distances(), [](Stage, Lay lay) { return lay.stinger_tip_clearance; }},
       {"roller", "Largest load of a roller", forces(),
        [](Stage, Lay lay) { return lay.supports.empty() ? std::nullopt : std::optional(lay.largest_reaction); }},
       {"use", "Largest utilisation", plain,

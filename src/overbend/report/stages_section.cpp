@@ -22,27 +22,19 @@ namespace {
 using html::fixed;
 using html::Head;
 
-std::string kilo(double newton) {
-  return forces().text(newton, 1);
-}
-
-std::string degrees(double angle) {
-  return angles().text(angle, 2);
-}
-
 std::vector<StageColumn> first_columns(const OperationResults& results) {
   return {{"", {"Stage", "", true}, [&](std::size_t i) { return stage_title(results, i); }},
           {"",
-           {progress_name(results.type), "m"},
+           {progress_name(results.type), shown_name("m")},
            [&](std::size_t i) {
              const std::optional<double> out = progress_of(results.stages[i].stage);
-             return out ? fixed(*out, 2) : std::string();
+             return out ? shown_number(*out, "m", 2) : std::string();
            }},
           {"Tank",
-           {"empty", "kN"},
+           {"empty", shown_name("N")},
            [&](std::size_t i) {
              const std::optional<double>& weight = results.stages[i].stage.tank_weight;
-             return weight ? kilo(*weight) : std::string();
+             return weight ? shown_number(*weight, "N", 1) : std::string();
            }},
           {"Tank", {"flooded", "%"}, [&](std::size_t i) {
              const std::optional<double>& ballast = results.stages[i].stage.tank_ballast;
@@ -53,7 +45,7 @@ std::vector<StageColumn> first_columns(const OperationResults& results) {
 std::string barge_ahead(const OperationResults& results, std::size_t stage) {
   const bool moves = std::any_of(results.stages.begin(), results.stages.end(),
                                  [](const StageResult& one) { return std::abs(one.barge_ahead) > 5e-3; });
-  return moves && results.stages[stage].lay ? fixed(results.stages[stage].barge_ahead, 2) : "";
+  return moves && results.stages[stage].lay ? shown_number(results.stages[stage].barge_ahead, "m", 2) : "";
 }
 
 std::string line_table(const OperationResults& results) {
@@ -61,27 +53,33 @@ std::string line_table(const OperationResults& results) {
   const auto add = [&](const char* group, Head head, LayText text) {
     columns.push_back({group, std::move(head), of_lay(results, std::move(text))});
   };
-  columns.push_back({"", {"Barge ahead", "m"}, [&](std::size_t i) { return barge_ahead(results, i); }});
-  add("Stinger", {"angle", "deg"},
-      [](const StaticResults& lay) { return lay.stinger.empty() ? "" : degrees(lay.stinger.front().angle); });
-  add("Stinger", {"hinge", "kN"},
-      [](const StaticResults& lay) { return lay.stinger.empty() ? "" : kilo(lay.stinger.front().hinge_force); });
-  add("Tension", {"top", "kN"}, [](const StaticResults& lay) { return kilo(lay.top_tension); });
-  add("Tension", {"bottom", "kN"}, [](const StaticResults& lay) { return kilo(lay.bottom_tension); });
-  add("Overbend", {"stress", "MPa"},
+  columns.push_back({"", {"Barge ahead", shown_name("m")}, [&](std::size_t i) { return barge_ahead(results, i); }});
+  add("Stinger", {"angle", shown_name("rad")}, [](const StaticResults& lay) {
+    return lay.stinger.empty() ? "" : shown_number(lay.stinger.front().angle, "rad", 2);
+  });
+  add("Stinger", {"hinge", shown_name("N")}, [](const StaticResults& lay) {
+    return lay.stinger.empty() ? "" : shown_number(lay.stinger.front().hinge_force, "N", 1);
+  });
+  add("Tension", {"top", shown_name("N")},
+      [](const StaticResults& lay) { return shown_number(lay.top_tension, "N", 1); });
+  add("Tension", {"bottom", shown_name("N")},
+      [](const StaticResults& lay) { return shown_number(lay.bottom_tension, "N", 1); });
+  add("Overbend", {"stress", shown_name("Pa")},
       [](const StaticResults& lay) { return lay.overbend ? stresses().text(lay.overbend->von_mises.value, 1) : ""; });
   add("Overbend", {"strain", "%"},
       [](const StaticResults& lay) { return lay.overbend ? strains().text(lay.overbend->strain.value, 4) : ""; });
-  add("Sagbend", {"stress", "MPa"},
+  add("Sagbend", {"stress", shown_name("Pa")},
       [](const StaticResults& lay) { return has_sagbend(lay) ? stresses().text(lay.sagbend.von_mises.value, 1) : ""; });
   add("Sagbend", {"strain", "%"},
       [](const StaticResults& lay) { return has_sagbend(lay) ? strains().text(lay.sagbend.strain.value, 4) : ""; });
-  add("", {"Tip clearance", "m"},
-      [](const StaticResults& lay) { return lay.stinger_tip_clearance ? fixed(*lay.stinger_tip_clearance, 3) : ""; });
-  add("Largest roller load", {"", "kN"},
-      [](const StaticResults& lay) { return lay.largest_reaction_support.empty() ? "" : kilo(lay.largest_reaction); });
+  add("", {"Tip clearance", shown_name("m")}, [](const StaticResults& lay) {
+    return lay.stinger_tip_clearance ? shown_number(*lay.stinger_tip_clearance, "m", 3) : "";
+  });
+  add("Largest roller load", {"", shown_name("N")}, [](const StaticResults& lay) {
+    return lay.largest_reaction_support.empty() ? "" : shown_number(lay.largest_reaction, "N", 1);
+  });
   add("Largest roller load", {"at", "", true}, [](const StaticResults& lay) { return lay.largest_reaction_support; });
-  add("", {"Lay-back", "m"}, [](const StaticResults& lay) { return fixed(lay.lay_back, 1); });
+  add("", {"Lay-back", shown_name("m")}, [](const StaticResults& lay) { return shown_number(lay.lay_back, "m", 1); });
   columns.push_back({"", {"Largest utilisation", ""}, [&](std::size_t i) {
                        const std::optional<StageUse> use = largest_use(results.stages[i]);
                        return use ? fixed(use->utilisation, 3) : "";
@@ -100,27 +98,30 @@ std::string head_table(const OperationResults& results) {
   const auto add = [&](const char* group, Head head, LayText text) {
     columns.push_back({group, std::move(head), of_lay(results, std::move(text))});
   };
-  add("Head", {"X", "m"}, [](const StaticResults& lay) { return fixed(lay.head->astern, 2); });
-  add("Head", {"Z", "m"}, [](const StaticResults& lay) { return fixed(lay.head->p_W.z(), 2); });
-  add("Head", {"inclination", "deg"}, [](const StaticResults& lay) { return degrees(lay.head->inclination); });
-  add("Head", {"over the bed", "m"}, [](const StaticResults& lay) { return fixed(lay.head->clearance, 2); });
-  add("Cable", {"at the head", "kN"}, [](const StaticResults& lay) { return kilo(lay.head->tension); });
-  add("Cable", {"inclination there", "deg"},
-      [](const StaticResults& lay) { return degrees(lay.head->cable_inclination); });
-  add("Cable", {"largest", "kN"},
-      [](const StaticResults& lay) { return lay.cable ? kilo(lay.cable->largest_tension) : ""; });
+  add("Head", {"X", shown_name("m")}, [](const StaticResults& lay) { return shown_number(lay.head->astern, "m", 2); });
+  add("Head", {"Z", shown_name("m")}, [](const StaticResults& lay) { return shown_number(lay.head->p_W.z(), "m", 2); });
+  add("Head", {"inclination", shown_name("rad")},
+      [](const StaticResults& lay) { return shown_number(lay.head->inclination, "rad", 2); });
+  add("Head", {"over the bed", shown_name("m")},
+      [](const StaticResults& lay) { return shown_number(lay.head->clearance, "m", 2); });
+  add("Cable", {"at the head", shown_name("N")},
+      [](const StaticResults& lay) { return shown_number(lay.head->tension, "N", 1); });
+  add("Cable", {"inclination there", shown_name("rad")},
+      [](const StaticResults& lay) { return shown_number(lay.head->cable_inclination, "rad", 2); });
+  add("Cable", {"largest", shown_name("N")},
+      [](const StaticResults& lay) { return lay.cable ? shown_number(lay.cable->largest_tension, "N", 1) : ""; });
   add("Cable", {"of breaking load", "%"}, [](const StaticResults& lay) {
     return lay.cable && lay.cable->utilisation ? fixed(100.0 * *lay.cable->utilisation, 1) : "";
   });
-  add("Cable", {"inclination at the winch", "deg"}, [](const StaticResults& lay) {
-    return lay.cable && !lay.far_anchor ? degrees(lay.cable->winch_inclination) : "";
+  add("Cable", {"inclination at the winch", shown_name("rad")}, [](const StaticResults& lay) {
+    return lay.cable && !lay.far_anchor ? shown_number(lay.cable->winch_inclination, "rad", 2) : "";
   });
-  add("Anchor", {"astern", "m"},
-      [](const StaticResults& lay) { return lay.far_anchor ? fixed(lay.far_anchor->distance, 2) : ""; });
-  add("Anchor", {"horizontal", "kN"},
-      [](const StaticResults& lay) { return lay.far_anchor ? kilo(lay.far_anchor->horizontal) : ""; });
-  add("Anchor", {"uplift", "kN"},
-      [](const StaticResults& lay) { return lay.far_anchor ? kilo(lay.far_anchor->uplift) : ""; });
+  add("Anchor", {"astern", shown_name("m")},
+      [](const StaticResults& lay) { return lay.far_anchor ? shown_number(lay.far_anchor->distance, "m", 2) : ""; });
+  add("Anchor", {"horizontal", shown_name("N")},
+      [](const StaticResults& lay) { return lay.far_anchor ? shown_number(lay.far_anchor->horizontal, "N", 1) : ""; });
+  add("Anchor", {"uplift", shown_name("N")},
+      [](const StaticResults& lay) { return lay.far_anchor ? shown_number(lay.far_anchor->uplift, "N", 1) : ""; });
   return stage_rows_table("Head and cable, stage by stage", columns, rows, "dense summary",
                           [](std::size_t) { return ""; });
 }
@@ -170,7 +171,7 @@ std::string checks_of(const OperationResults& results, std::size_t stage) {
                      {"Code", "", true},
                      {"Utilisation", ""},
                      {"Place", "", true},
-                     {"Along the line", "m"},
+                     {"Along the line", shown_name("m")},
                      {"Status", "", true}},
                     "checks");
   for (const CheckRegion region : check_regions()) {
@@ -178,7 +179,7 @@ std::string checks_of(const OperationResults& results, std::size_t stage) {
       if (row.region != region || !row.governing) continue;
       table.row(
           {region_title(region), row.name, row.clause.empty() ? row.code : row.code + ", " + row.clause,
-           row.judged() ? fixed(row.utilisation, 3) : "", place_name(lay, row.s), fixed(row.from_top, 1),
+           row.judged() ? fixed(row.utilisation, 3) : "", place_name(lay, row.s), shown_number(row.from_top, "m", 1),
            row.remark.empty() ? std::string(word(row.status)) : std::string(word(row.status)) + ": " + row.remark},
           row.status == CheckStatus::exceeded ? "over" : "");
     }
@@ -229,7 +230,7 @@ std::string failure_words(const OperationResults& results, std::size_t stage) {
   if (!failure.why.empty()) text += ": " + failure.why;
   if (text.back() != '.') text += ".";
   if (failure.least_tension) {
-    text += fmt::format(" It can be with a tension of {} kN or more at the top.", kilo(*failure.least_tension));
+    text += fmt::format(" It can be with a tension of {} or more at the top.", shown(*failure.least_tension, "N", 1));
   }
   return text;
 }

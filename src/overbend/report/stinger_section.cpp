@@ -42,15 +42,15 @@ std::vector<std::string> cells_of(const StingerSectionResult& s) {
 std::string section_table(const StaticResults& results) {
   html::Table table("",
                     {{"Section", "", true},
-                     {"Angle", "deg"},
-                     {"with friction", "deg"},
-                     {"Moment of the pipe", "kN m"},
-                     {"longitudinal", "kN"},
-                     {"vertical", "kN"},
-                     {"magnitude", "kN"},
+                     {"Angle", shown_name("rad")},
+                     {"with friction", shown_name("rad")},
+                     {"Moment of the pipe", shown_name("N m")},
+                     {"longitudinal", shown_name("N")},
+                     {"vertical", shown_name("N")},
+                     {"magnitude", shown_name("N")},
                      {"by", "", true},
-                     {"moment", "kN m"},
-                     {"Stiffness", "kN m/deg"},
+                     {"moment", shown_name("N m")},
+                     {"Stiffness", shown_name("N m") + "/deg"},
                      {"Period", "s"}},
                     "dense summary");
   table.groups({{"", 1}, {"Angle", 2}, {"", 1}, {"Hinge force", 3}, {"Held", 2}, {"Small turns", 2}});
@@ -62,12 +62,12 @@ std::string tank_table(const StaticResults& results) {
   html::Table table("",
                     {{"Tank", "", true},
                      {"Section", "", true},
-                     {"Weight", "kN"},
-                     {"Buoyancy", "kN"},
+                     {"Weight", shown_name("N")},
+                     {"Buoyancy", shown_name("N")},
                      {"Submerged", "%"},
-                     {"astern", "m"},
-                     {"z", "m"},
-                     {"Draught", "m"}},
+                     {"astern", shown_name("m")},
+                     {"z", shown_name("m")},
+                     {"Draught", shown_name("m")}},
                     "dense summary");
   table.groups({{"", 5}, {"Centre of buoyancy", 2}, {"", 1}});
   bool any = false;
@@ -75,8 +75,8 @@ std::string tank_table(const StaticResults& results) {
     for (const StingerTankResult& tank : section.tanks) {
       any = true;
       table.row({tank.name, name_of(section), forces().text(tank.weight, 1), forces().text(tank.buoyancy, 1),
-                 html::fixed(100.0 * tank.submerged, 1), html::fixed(tank.at_x, 2), html::fixed(tank.at_z, 2),
-                 html::fixed(tank.draught, 2)});
+                 html::fixed(100.0 * tank.submerged, 1), shown_number(tank.at_x, "m", 2),
+                 shown_number(tank.at_z, "m", 2), shown_number(tank.draught, "m", 2)});
     }
   }
   return any ? table.str() : "";

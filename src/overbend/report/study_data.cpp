@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "base/units.h"
 #include "report/json_number.h"
 #include "resultfiles/study_writer.h"
@@ -147,7 +148,8 @@ Json operability_json(const OperabilityResults& operability) {
 
 StudyShown shown_unit_of(const std::string& unit, const std::string& show) {
   if (show.empty()) return {};
-  if (const auto factor = unit_factor(show, unit)) return {show, 1.0 / *factor};
+  const bool metric = units_in_use() == UnitSystem::metric;
+  if (const auto factor = metric ? unit_factor(show, unit) : std::nullopt) return {show, 1.0 / *factor};
   const ShownUnit usual = shown_unit("", unit);
   return {std::string(usual.name), usual.factor};
 }

@@ -17,8 +17,9 @@ using html::fixed;
 void plain_row(html::Table& table, const StaticResults& results, const Station& at, const std::string& part,
                const std::string& place) {
   const Vec3 p = ship_point(results, at.p_W);
-  table.row({place, part, fixed(from_tensioner(results, at.s), 2), fixed(p.x(), 2), fixed(p.y(), 2), fixed(p.z(), 2),
-             "", "", "", "", forces().text(at.effective_tension, 1), moments().text(at.bending_moment, 1),
+  table.row({place, part, shown_number(from_tensioner(results, at.s), "m", 2), shown_number(p.x(), "m", 2),
+             shown_number(p.y(), "m", 2), shown_number(p.z(), "m", 2), "", "", "", "",
+             forces().text(at.effective_tension, 1), moments().text(at.bending_moment, 1),
              stresses().text(at.bending_stress, 1), strains().text(at.strain, 4), stresses().text(at.von_mises, 1),
              fixed(yield_percent(results, at.s, at.von_mises), 1)});
 }
@@ -27,11 +28,12 @@ void plain_row(html::Table& table, const StaticResults& results, const Station& 
 void support_row(html::Table& table, const StaticResults& results, const SupportResult& box) {
   const Station at = station_at(results, box.s);
   const Vec3 p = ship_point(results, at.p_W);
-  table.row({box.name, box.stinger ? "STINGER" : "LAYBARGE", fixed(from_tensioner(results, box.s), 2), fixed(p.x(), 2),
-             fixed(p.y(), 2), fixed(p.z(), 2), forces().text(box.vertical, 1), forces().text(box.lateral, 1),
-             fixed(box.separation, 4), box.has_sides ? fixed(box.separation_lateral, 4) : "",
-             forces().text(box.effective_tension, 1), moments().text(box.bending_moment, 1),
-             stresses().text(box.bending_stress, 1), strains().text(box.strain, 4), stresses().text(box.von_mises, 1),
+  table.row({box.name, box.stinger ? "STINGER" : "LAYBARGE", shown_number(from_tensioner(results, box.s), "m", 2),
+             shown_number(p.x(), "m", 2), shown_number(p.y(), "m", 2), shown_number(p.z(), "m", 2),
+             forces().text(box.vertical, 1), forces().text(box.lateral, 1), shown_number(box.separation, "m", 4),
+             box.has_sides ? shown_number(box.separation_lateral, "m", 4) : "", forces().text(box.effective_tension, 1),
+             moments().text(box.bending_moment, 1), stresses().text(box.bending_stress, 1),
+             strains().text(box.strain, 4), stresses().text(box.von_mises, 1),
              fixed(yield_percent(results, box.s, box.von_mises), 1)});
 }
 
@@ -56,19 +58,19 @@ std::string static_summary_table(const StaticResults& results) {
   html::Table table("",
                     {{"Station", "", true},
                      {"Pipe section", "", true},
-                     {"Along pipe", "m"},
-                     {"X", "m"},
-                     {"Y", "m"},
-                     {"Z", "m"},
-                     {"vert.", "kN"},
-                     {"horiz.", "kN"},
-                     {"vert.", "m"},
-                     {"horiz.", "m"},
-                     {"Tension", "kN"},
-                     {"Moment", "kN m"},
-                     {"Bending stress", "MPa"},
+                     {"Along pipe", shown_name("m")},
+                     {"X", shown_name("m")},
+                     {"Y", shown_name("m")},
+                     {"Z", shown_name("m")},
+                     {"vert.", shown_name("N")},
+                     {"horiz.", shown_name("N")},
+                     {"vert.", shown_name("m")},
+                     {"horiz.", shown_name("m")},
+                     {"Tension", shown_name("N")},
+                     {"Moment", shown_name("N m")},
+                     {"Bending stress", shown_name("Pa")},
                      {"Strain", "%"},
-                     {"von Mises", "MPa"},
+                     {"von Mises", shown_name("Pa")},
                      {"Yield", "%"}},
                     "dense summary");
   table.groups({{"", 2}, {"Pipe axis", 4}, {"Support reaction", 2}, {"Support separation", 2}, {"Pipe", 6}});
@@ -97,27 +99,28 @@ std::string support_table(const StaticResults& results) {
   html::Table table("Roller boxes",
                     {{"Box", "", true},
                      {"On", "", true},
-                     {"X", "m"},
-                     {"Z", "m"},
-                     {"Incline", "deg"},
-                     {"Length", "m"},
-                     {"resultant", "kN"},
-                     {"vertical", "kN"},
-                     {"longit.", "kN"},
-                     {"lateral", "kN"},
-                     {"Largest roller", "kN"},
+                     {"X", shown_name("m")},
+                     {"Z", shown_name("m")},
+                     {"Incline", shown_name("rad")},
+                     {"Length", shown_name("m")},
+                     {"resultant", shown_name("N")},
+                     {"vertical", shown_name("N")},
+                     {"longit.", shown_name("N")},
+                     {"lateral", shown_name("N")},
+                     {"Largest roller", shown_name("N")},
                      {"Rows loaded", ""},
-                     {"bottom", "m"},
-                     {"sides", "m"}},
+                     {"bottom", shown_name("m")},
+                     {"sides", shown_name("m")}},
                     "dense boxes");
   table.groups({{"", 6}, {"Reaction on the pipe", 4}, {"", 2}, {"Smallest separation", 2}});
   for (const SupportResult& box : results.supports) {
     const Vec3 p = ship_point(results, box.p_W);
-    table.row({box.name, box.stinger ? "stinger" : "ramp", fixed(p.x(), 3), fixed(p.z(), 3),
-               angles().text(box.inclination, 2), fixed(box.length, 3), forces().text(box.reaction, 1),
+    table.row({box.name, box.stinger ? "stinger" : "ramp", shown_number(p.x(), "m", 3), shown_number(p.z(), "m", 3),
+               angles().text(box.inclination, 2), shown_number(box.length, "m", 3), forces().text(box.reaction, 1),
                forces().text(box.vertical, 1), forces().text(box.longitudinal, 1), forces().text(box.lateral, 1),
                forces().text(largest_roller(box), 1), fmt::format("{} of {}", rows_in_contact(box), box.rows.size()),
-               fixed(box.separation, 4), box.has_sides ? fixed(box.separation_lateral, 4) : ""});
+               shown_number(box.separation, "m", 4),
+               box.has_sides ? shown_number(box.separation_lateral, "m", 4) : ""});
   }
   return table.str() +
          "<p class=\"small\">X, Z: middle of the box, where the underside of the coated pipe rests; Z above the mean "
@@ -133,12 +136,12 @@ std::string rollers_section(const StaticResults& results) {
                     {{"Box", "", true},
                      {"Row", ""},
                      {"Roller", "", true},
-                     {"normal", "kN"},
-                     {"vertical", "kN"},
-                     {"longit.", "kN"},
-                     {"lateral", "kN"},
-                     {"Separation", "m"},
-                     {"Off end", "m"}},
+                     {"normal", shown_name("N")},
+                     {"vertical", shown_name("N")},
+                     {"longit.", shown_name("N")},
+                     {"lateral", shown_name("N")},
+                     {"Separation", shown_name("m")},
+                     {"Off end", shown_name("m")}},
                     "dense rollers");
   table.groups({{"", 3}, {"Reaction on the pipe", 4}, {"", 2}});
   int count = 0;
@@ -148,7 +151,7 @@ std::string rollers_section(const StaticResults& results) {
         ++count;
         table.row({box.name, std::to_string(row + 1), word(r.position), forces().text(r.reaction, 2),
                    forces().text(r.vertical, 2), forces().text(r.longitudinal, 2), forces().text(r.lateral, 2),
-                   fixed(r.separation, 4), fixed(r.off_end, 3)},
+                   shown_number(r.separation, "m", 4), shown_number(r.off_end, "m", 3)},
                   r.reaction > 0.0 ? "loaded" : "");
       }
     }
