@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iostream>
 #include <iterator>
 
@@ -12,10 +11,12 @@
 #include "app/stage_lines.h"
 #include "base/constants.h"
 #include "base/finding.h"
+#include "base/shown_unit.h"
 #include "model/box_dip.h"
 #include "model/material_words.h"
 #include "model/model.h"
 #include "model/rao_limits.h"
+#include "report/quantity.h"
 #include "study/input_findings.h"
 #include "study/lay_operation.h"
 #include "study/prepared_case.h"
@@ -29,27 +30,31 @@ void line(const std::string& name, const std::string& value) {
 
 void print_section(const Section& section, const SteelDescription& material) {
   std::cout << "\nSection: " << section.name << "\n";
-  line("steel", fmt::format("{:.6g} mm outside, {:.6g} mm wall, yield {:.6g} MPa", section.steel_diameter * 1e3,
-                            section.wall_thickness * 1e3, section.yield_stress / 1e6));
+  line("steel", fmt::format("{} outside, {} wall, yield {}", shown_digits(section.steel_diameter, section_length(), 6),
+                            shown_digits(section.wall_thickness, section_length(), 6),
+                            shown_digits(section.yield_stress, "Pa", 6)));
   const FirstYield yield = first_yield(material);
   line("material", material_words(material));
-  line("first yield", fmt::format("{:.2f} kN m at a curvature of {:.6f} 1/m", yield.moment / 1e3, yield.curvature));
-  line("steel area", fmt::format("{:.6g} mm2", section.steel_area * 1e6));
-  line("outer diameter", fmt::format("{:.6g} m over the coatings (hydrodynamic diameter)", section.outer_diameter));
-  line("EA", fmt::format("{:.2f} kN", section.EA / 1e3));
-  line("EI", fmt::format("{:.2f} kN m2", section.EI / 1e3));
-  line("weight in air", fmt::format("{:.7f} kN/m", section.weight_in_air / 1e3));
-  line("submerged weight", fmt::format("{:.7f} kN/m", section.weight_submerged / 1e3));
+  line("first yield",
+       fmt::format("{} at a curvature of {}", shown(yield.moment, "N m", 2), shown(yield.curvature, "1/m", 6)));
+  line("steel area", shown_digits(section.steel_area, steel_area(), 6));
+  line("outer diameter", shown_digits(section.outer_diameter, "m", 6) + " over the coatings (hydrodynamic diameter)");
+  line("EA", shown(section.EA, "N", 2));
+  line("EI", shown(section.EI, "N m2", 2));
+  line("weight in air", shown(section.weight_in_air, "N/m", 7));
+  line("submerged weight", shown(section.weight_submerged, "N/m", 7));
 }
 
 std::string point(const Vec3& p) {
-  const auto shown = [](double value) { return std::abs(value) < 5e-4 ? 0.0 : value; };  // no "-0.000"
-  return fmt::format("{:>10.3f}{:>10.3f}{:>10.3f}", shown(p.x()), shown(p.y()), shown(p.z()));
+  return fmt::format("{:>10}{:>10}{:>10}", shown_number(p.x(), "m", 3), shown_number(p.y(), "m", 3),
+                     shown_number(p.z(), "m", 3));
 }
 
 void print_places(const Model& model) {
   const TensionerDescription& tensioner = model.description.tensioner;
-  std::cout << "\nPositions in the world frame: x east, y north, z up [m]; origin midship at the mean water level\n";
+  std::cout << fmt::format(
+      "\nPositions in the world frame: x east, y north, z up [{}]; origin midship at the mean water level\n",
+      shown_name("m"));
   std::cout << fmt::format("  {:<24}{:>10}{:>10}{:>10}\n", "", "x", "y", "z");
   const auto place = [&](const std::string& name, const Vec3& p_S) {
     std::cout << fmt::format("  {:<24}{}\n", name, point(point_from_ramp(model, model.mean_pose, p_S)));
@@ -74,14 +79,14 @@ void print_supports(const Model& model) {
     return;
   }
   std::cout << fmt::format(
-      "\nSupports: {} boxes, {} rows, {} rollers; points where the underside of the pipe rests [m]\n",
-      supports.boxes.size(), supports.rows.size(), supports.rollers.size());
+      "\nSupports: {} boxes, {} rows, {} rollers; points where the underside of the pipe rests [{}]\n",
+      supports.boxes.size(), supports.rows.size(), supports.rollers.size(), shown_name("m"));
   std::cout << fmt::format("  {:<24}{:>10}{:>10}{:>10}{:>14}{:>12}  rollers\n", "box / row", "x", "y", "z",
-                           "incline [deg]", "length [m]");
+                           "incline [deg]", "length [" + shown_name("m") + "]");
   for (const SupportBox& box : supports.boxes) {
-    std::cout << fmt::format("  {:<24}{}{:>14.3f}{:>12.3f}\n", box.name,
+    std::cout << fmt::format("  {:<24}{}{:>14}{:>12}\n", box.name,
                              point(point_from_ramp(model, model.mean_pose, box.point_S)),
-                             box_dip(model.mean_pose, box) * kToDegrees, box.length);
+                             shown_number(box_dip(model.mean_pose, box), "rad", 3), shown_number(box.length, "m", 3));
     for (int r = 0; r < box.row_count; ++r) {
       const SupportRow& row = supports.rows[box.first_row + r];
       std::cout << fmt::format("  {:<24}{}{:>26}  {}\n", fmt::format("  row {}", r + 1),
@@ -100,8 +105,8 @@ void print_raos(const Model& model) {
                            raos.headings.size(), raos.omegas.size(), raos.omegas.front(), raos.omegas.back());
   const RaoLimits limits =
       long_wave_limits(raos, vessel.length, vessel.draught, model.description.environment.water_depth);
-  std::cout << fmt::format("  compared with the water in waves of {:.4g} m; lags in deg behind the crest{}\n",
-                           limits.wave_length,
+  std::cout << fmt::format("  compared with the water in waves of {}; lags in deg behind the crest{}\n",
+                           shown_digits(limits.wave_length, "m", 4),
                            limits.long_enough ? "" : "; too short relative to the vessel to be conclusive");
   std::cout << fmt::format("  {:<12}{:<10}{:<18}{:>8}{:>10}{:>12}\n", "travelling", "freedom", "over", "ratio", "lag",
                            "expected");

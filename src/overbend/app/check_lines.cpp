@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "base/shown_unit.h"
 #include "results/fields/result_field.h"
 #include "results/verdict.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 std::string place_of(const CheckRow& row) {
   if (!is_on_pipe(row)) return row.remark;
-  std::string text = fmt::format("{:.1f} m from the tensioner", row.from_top);
+  std::string text = shown(row.from_top, "m", 1) + " from the tensioner";
   if (row.in_time) text += fmt::format(", t = {:.1f} s", row.time);
   return text;
 }

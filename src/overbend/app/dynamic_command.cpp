@@ -13,6 +13,7 @@
 #include "app/mooring_lines.h"
 #include "app/seeds_lines.h"
 #include "base/finding.h"
+#include "base/shown_unit.h"
 #include "model/model.h"
 #include "model/model_findings.h"
 #include "resultfiles/dynamic_reader.h"
@@ -26,31 +27,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void number(const std::string& name, double value, const char* unit, int digits = 2) {
-  std::cout << fmt::format("  {:<28}{:>12.{}f} {}\n", name, value, digits, unit);
+void number(const std::string& name, double value, const char* si, int digits = 2) {
+  std::cout << fmt::format("  {:<28}{:>12} {}\n", name, shown_number(value, si, digits), shown_name(si));
 }
 
-void range(const std::string& name, const Spread& spread, double scale, const char* unit, int digits = 2) {
+void range(const std::string& name, const Spread& spread, const char* si, int digits = 2) {
   if (std::isnan(spread.min)) {
     std::cout << fmt::format("  {:<28}{:>12}\n", name, "none");
     return;
   }
-  std::cout << fmt::format("  {:<28}{:>12.{}f} to {:.{}f} {}\n", name, spread.min * scale, digits, spread.max * scale,
-                           digits, unit);
+  std::cout << fmt::format("  {:<28}{:>12} to {}\n", name, shown_number(spread.min, si, digits),
+                           shown(spread.max, si, digits));
 }
 
 void print_pipe(const StaticResults& statics, const DynamicResults& r) {
-  range("top tension", r.top_tension, 1e-3, "kN");
-  if (statics.overbend) number("overbend von Mises, largest", r.overbend.von_mises.over_time.max / 1e6, "MPa");
-  if (statics.tower) number("tower von Mises, largest", r.tower.von_mises.over_time.max / 1e6, "MPa");
-  number("sagbend von Mises, largest", r.sagbend.von_mises.over_time.max / 1e6, "MPa");
-  number("smallest tension of all", r.smallest_tension.over_time.min / 1e3, "kN");
-  if (statics.stinger_tip_clearance) range("stinger tip clearance", r.stinger_tip_clearance, 1.0, "m", 3);
+  range("top tension", r.top_tension, "N");
+  if (statics.overbend) number("overbend von Mises, largest", r.overbend.von_mises.over_time.max, "Pa");
+  if (statics.tower) number("tower von Mises, largest", r.tower.von_mises.over_time.max, "Pa");
+  number("sagbend von Mises, largest", r.sagbend.von_mises.over_time.max, "Pa");
+  number("smallest tension of all", r.smallest_tension.over_time.min, "N");
+  if (statics.stinger_tip_clearance) range("stinger tip clearance", r.stinger_tip_clearance, "m", 3);
   if (!r.supports.empty()) {
     std::cout << fmt::format("  {:<28}{:>12}", "impacts", r.impact_count);
     std::cout << (r.hardest_impacts.empty()
                       ? std::string("\n")
-                      : fmt::format(", the hardest {:.1f} kN\n", r.hardest_impacts.front().peak_force / 1e3));
+                      : ", the hardest " + shown(r.hardest_impacts.front().peak_force, "N", 1) + "\n");
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_unit.h"
 #include "base/text.h"
 
 namespace overbend {
@@ -21,10 +22,10 @@ std::string fatigue_lines(const DynamicResults& results) {
   if (!results.fatigue) return lines;
   for (const FatigueSpot& spot : results.fatigue->spots) {
     lines += fmt::format(
-        "  {:<28}{:>12} of standby, damage on the way {:.2g}, {:.2g} per hour {:.1f} m from the "
+        "  {:<28}{:>12} of standby, damage on the way {:.2g}, {:.2g} per hour {} from the "
         "tensioner\n",
         "fatigue '" + for_display(spot.name, 14) + "'", time_words(spot.standby), spot.path_damage,
-        3600.0 * spot.worst_rate, results.station_s.back() - spot.worst_s);
+        3600.0 * spot.worst_rate, shown(results.station_s.back() - spot.worst_s, "m", 1));
   }
   return lines;
 }

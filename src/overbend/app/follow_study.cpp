@@ -8,6 +8,7 @@
 
 #include "app/interruption.h"
 #include "app/progress.h"
+#include "base/shown_unit.h"
 
 namespace overbend {
 namespace {
@@ -46,7 +47,7 @@ class FollowedStudy : public CaseWatch {
 
   static std::string words(const DynamicProgress& at) {
     const std::string time = fmt::format("t = {:.1f} s", at.time);
-    return at.top_tension == 0.0 ? time : time + fmt::format("  tension {:.1f} kN", at.top_tension / 1e3);
+    return at.top_tension == 0.0 ? time : time + "  tension " + shown(at.top_tension, "N", 1);
   }
 
   std::string words() const {

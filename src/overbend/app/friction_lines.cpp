@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include "base/shown_unit.h"
 
 namespace overbend {
 namespace {
 
-std::string side(double value, int digits, const char* unit) {
-  return fmt::format("{:>12.{}f} {} to {}", std::abs(value), digits, unit, value < 0.0 ? "starboard" : "port");
+std::string side(double value, int digits, const char* si) {
+  return fmt::format("{:>12} {} to {}", shown_number(std::abs(value), si, digits), shown_name(si),
+                     value < 0.0 ? "starboard" : "port");
 }
 
 std::string line(const char* name, const std::string& value) {
@@ -17,23 +19,26 @@ std::string line(const char* name, const std::string& value) {
 
 std::string route_lines(const RouteResults& route) {
   std::string text = line("touchdown beside the route", side(route.laid_offset, 2, "m"));
-  text += line("side load on the supports", side(route.side_load_supports / 1e3, 2, "kN"));
-  text += line("side load on the seabed", side(route.side_load_bed / 1e3, 2, "kN"));
+  text += line("side load on the supports", side(route.side_load_supports, 2, "N"));
+  text += line("side load on the seabed", side(route.side_load_bed, 2, "N"));
   if (route.radius <= 0.0) return text;
-  text += line("radius of the route", fmt::format("{:>12.0f} m; friction holds {:.0f} m and more{}", route.radius,
-                                                  route.least_radius, route.holds ? "" : ": THE PIPE SLIDES"));
-  text += line("slid sideways", fmt::format("{:>12.1f} m of pipe", route.slid_length));
+  text += line("radius of the route",
+               fmt::format("{:>12} {}; friction holds {} and more{}", shown_number(route.radius, "m", 0),
+                           shown_name("m"), shown(route.least_radius, "m", 0), route.holds ? "" : ": THE PIPE SLIDES"));
+  text +=
+      line("slid sideways", fmt::format("{:>12} {} of pipe", shown_number(route.slid_length, "m", 1), shown_name("m")));
   return text;
 }
 
 std::string case_line(const RollerFrictionCase& answer) {
   return line(
       ("friction: " + answer.name).c_str(),
-      fmt::format("{:>12.2f} kN bottom, lay-back {:.2f} m, tip {:.3f} m to port{}, overbend {:.1f} MPa, "
-                  "sagbend {:.1f} MPa",
-                  answer.bottom_tension / 1e3, answer.lay_back, answer.tip_side,
-                  answer.off_roller > 0.0 ? fmt::format(" ({:.0f} mm off its roller)", 1e3 * answer.off_roller) : "",
-                  answer.overbend_stress / 1e6, answer.sagbend_stress / 1e6));
+      fmt::format(
+          "{:>12} {} bottom, lay-back {}, tip {} to port{}, overbend {}, sagbend {}",
+          shown_number(answer.bottom_tension, "N", 2), shown_name("N"), shown(answer.lay_back, "m", 2),
+          shown(answer.tip_side, "m", 3),
+          answer.off_roller > 0.0 ? " (" + shown(answer.off_roller, section_length(), 0) + " off its roller)" : "",
+          shown(answer.overbend_stress, "Pa", 1), shown(answer.sagbend_stress, "Pa", 1)));
 }
 
 }  // namespace

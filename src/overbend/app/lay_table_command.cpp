@@ -7,7 +7,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/finding_lines.h"
-#include "base/constants.h"
+#include "base/shown_unit.h"
 #include "resultfiles/lay_table_writer.h"
 #include "runstore/staged_folder.h"
 #include "seafiles/route_depths_reader.h"
@@ -41,8 +41,10 @@ void print_head(const LayTable& table) {
             << fmt::format("  {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}  {}\n",
                            table.route ? "distance" : "depth", "top", "bottom", "lay-back", "departure", "tip",
                            "overbend", "sagbend", "reaction", "util.", "verdict")
-            << fmt::format("  {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}\n", table.route ? "km" : "m",
-                           "kN", "kN", "m", "deg", "m", "MPa", "MPa", "kN", "-");
+            << fmt::format("  {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}\n",
+                           table.route ? route_length().name : shown_unit("m").name, shown_name("N"), shown_name("N"),
+                           shown_name("m"), shown_name("rad"), shown_name("m"), shown_name("Pa"), shown_name("Pa"),
+                           shown_name("N"), "-");
 }
 
 std::string verdict_words(const LayTableRow& row) {
@@ -51,23 +53,24 @@ std::string verdict_words(const LayTableRow& row) {
 }
 
 void print_row(const LayTable& table, const LayTableRow& row) {
-  const double first = table.route ? 1e-3 * row.distance.value_or(0.0) : row.depth;
+  const std::string first =
+      table.route ? shown_number(row.distance.value_or(0.0), route_length(), 3) : shown_number(row.depth, "m", 3);
   if (!row.lay) {
-    const std::string of = table.vary == LayTableVary::tension && !table.route
-                               ? fmt::format("{:>9.1f}", 1e-3 * row.varied)
-                               : fmt::format("{:>9}", "-");
-    const std::string lay_back =
-        table.vary == LayTableVary::lay_back ? fmt::format("{:>9.2f}", row.varied) : fmt::format("{:>9}", "-");
-    std::cout << fmt::format("  {:>9.3f} {} {:>9} {} {:>55}  {}\n", first, of, "-", lay_back, "", verdict_words(row));
+    const bool of_tension = table.vary == LayTableVary::tension && !table.route;
+    const std::string of = of_tension ? shown_number(row.varied, "N", 1) : "-";
+    const std::string lay_back = table.vary == LayTableVary::lay_back ? shown_number(row.varied, "m", 2) : "-";
+    std::cout << fmt::format("  {:>9} {:>9} {:>9} {:>9} {:>55}  {}\n", first, of, "-", lay_back, "",
+                             verdict_words(row));
     return;
   }
   const LayTableValues& v = *row.lay;
-  std::cout << fmt::format(
-      "  {:>9.3f} {:>9.1f} {:>9.1f} {:>9.2f} {:>9.2f} {:>9} {:>9.1f} {:>9.1f} {:>9.1f} {:>7}  {}\n", first,
-      1e-3 * v.top_tension, 1e-3 * v.bottom_tension, v.lay_back, kToDegrees * v.departure_angle,
-      v.tip_separation ? fmt::format("{:.3f}", *v.tip_separation) : "-", 1e-6 * v.overbend_bending_stress,
-      1e-6 * v.sagbend_bending_stress, 1e-3 * v.largest_reaction,
-      v.utilisation ? fmt::format("{:.3f}", *v.utilisation) : "-", verdict_words(row));
+  std::cout << fmt::format("  {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}  {}\n", first,
+                           shown_number(v.top_tension, "N", 1), shown_number(v.bottom_tension, "N", 1),
+                           shown_number(v.lay_back, "m", 2), shown_number(v.departure_angle, "rad", 2),
+                           v.tip_separation ? shown_number(*v.tip_separation, "m", 3) : "-",
+                           shown_number(v.overbend_bending_stress, "Pa", 1),
+                           shown_number(v.sagbend_bending_stress, "Pa", 1), shown_number(v.largest_reaction, "N", 1),
+                           v.utilisation ? fmt::format("{:.3f}", *v.utilisation) : "-", verdict_words(row));
 }
 
 void print_table(const LayTable& table) {

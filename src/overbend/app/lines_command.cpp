@@ -12,6 +12,7 @@
 #include "app/interruption.h"
 #include "app/progress.h"
 #include "base/finding.h"
+#include "base/shown_unit.h"
 #include "dynamics/dynamic_obstacle.h"
 #include "resultfiles/lines_writer.h"
 #include "runstore/append_file.h"
@@ -26,11 +27,12 @@ namespace {
 namespace fs = std::filesystem;
 
 void print_line(const LineResult& line, bool moved) {
-  std::cout << fmt::format("  {}: {:.2f} m, {} elements, {:.1f} m on the bed\n", line.name, line.length, line.elements,
-                           line.on_bed);
+  std::cout << fmt::format("  {}: {}, {} elements, {} on the bed\n", line.name, shown(line.length, "m", 2),
+                           line.elements, shown(line.on_bed, "m", 1));
   for (const auto& [name, end] : {std::pair{"first end", &line.first}, {"second end", &line.second}}) {
-    std::cout << fmt::format("    {:<26}{:>12.2f} kN", name, end->tension / 1e3);
-    if (moved) std::cout << fmt::format(", {:.2f} to {:.2f} kN", end->in_time.min / 1e3, end->in_time.max / 1e3);
+    std::cout << fmt::format("    {:<26}{:>12} {}", name, shown_number(end->tension, "N", 2), shown_name("N"));
+    if (moved)
+      std::cout << fmt::format(", {} to {}", shown_number(end->in_time.min, "N", 2), shown(end->in_time.max, "N", 2));
     std::cout << "\n";
   }
   if (!line.utilisation) return;
@@ -60,7 +62,7 @@ LinesOutcome run_seed(const Model& model, std::uint64_t seed, const fs::path& fo
   Progress progress(-options.build_up, options.duration);
   Clock::time_point last = Clock::now();
   return run_lines_in(folder, model, options, resume, [&](const DynamicProgress& at) {
-    progress.show(at.time, fmt::format("t = {:.1f} s  tension {:.1f} kN", at.time, at.top_tension / 1e3));
+    progress.show(at.time, fmt::format("t = {:.1f} s  tension {}", at.time, shown(at.top_tension, "N", 1)));
     if (Interruption::wanted()) return DynamicControl::stop;
     if (std::chrono::duration<double>(Clock::now() - last).count() < checkpoint_every) return DynamicControl::go_on;
     last = Clock::now();
@@ -84,8 +86,9 @@ int run_seeds(const Model& model, const std::vector<std::uint64_t>& seeds, const
   write_lines_seeds(all.last, gathered, folder);
   std::cout << all.last.title << "\n";
   for (std::size_t i = 0; i < gathered.quantities.size(); ++i) {
-    std::cout << fmt::format("  {:<36}{:>10.2f} to {:.2f} kN over {} seeds\n", gathered.quantities[i].name,
-                             gathered.statistics[i].min / 1e3, gathered.statistics[i].max / 1e3, gathered.runs.size());
+    std::cout << fmt::format("  {:<36}{:>10} to {} over {} seeds\n", gathered.quantities[i].name,
+                             shown_number(gathered.statistics[i].min, "N", 2),
+                             shown(gathered.statistics[i].max, "N", 2), gathered.runs.size());
   }
   std::vector<Findings> findings;
   for (const SeedRun& run : gathered.runs) findings.push_back(run.findings);

@@ -7,39 +7,38 @@
 
 #include "app/check_lines.h"
 #include "app/finding_lines.h"
-#include "base/constants.h"
+#include "base/shown_unit.h"
 
 namespace overbend {
 namespace {
 
-/// A zero of the last digits carries no sign.
-double shown(double value) {
-  return std::abs(value) < 5e-4 ? 0.0 : value;
+/// "tension kN"
+std::string in(const char* name, std::string_view si) {
+  return std::string(name) + " " + shown_name(si);
 }
 
 std::string state_lines(const MooredState& state) {
   const VesselResult& v = state.vessel;
-  std::string text = fmt::format(
-      "{}\n  hull at surge {:.3f} m, sway {:.3f} m, heave {:.3f} m, roll {:.3f} deg, pitch "
-      "{:.3f} deg, yaw {:.3f} deg\n",
-      state.name, shown(v.surge), shown(v.sway), shown(v.heave), shown(v.roll * kToDegrees),
-      shown(v.pitch * kToDegrees), shown(v.yaw * kToDegrees));
+  std::string text = fmt::format("{}\n  hull at surge {}, sway {}, heave {}, roll {}, pitch {}, yaw {}\n", state.name,
+                                 shown(v.surge, "m", 3), shown(v.sway, "m", 3), shown(v.heave, "m", 3),
+                                 shown(v.roll, "rad", 3), shown(v.pitch, "rad", 3), shown(v.yaw, "rad", 3));
   for (const PeriodResult& period : v.natural_periods) {
     text += fmt::format("  natural period {:<6} {:>9.1f} s\n", period.mode, period.period);
   }
   if (!state.thrust.empty()) {
-    text += fmt::format("  thrust ahead {:.1f} kN, to port {:.1f} kN, bow to port {:.1f} kN m\n",
-                        shown(1e-3 * state.thrust[0]), shown(1e-3 * state.thrust[1]), shown(1e-3 * state.thrust[2]));
+    text += fmt::format("  thrust ahead {}, to port {}, bow to port {}\n", shown(state.thrust[0], "N", 1),
+                        shown(state.thrust[1], "N", 1), shown(state.thrust[2], "N m", 1));
   }
   if (state.moorings.empty()) return text;
-  text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "line", "tension kN", "length m", "on bed m",
-                      "anchor kN", "of MBL");
+  text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "line", in("tension", "N"), in("length", "m"),
+                      in("on bed", "m"), in("anchor", "N"), "of MBL");
   for (const MooringLineResult& line : state.moorings) {
     const std::string used = line.utilisation ? fmt::format("{:.3f}", *line.utilisation) : "-";
     text += line.parted
                 ? fmt::format("  {:<16}{:>12}\n", line.name, "parted")
-                : fmt::format("  {:<16}{:>12.2f}{:>12.3f}{:>12.1f}{:>12.2f}{:>12}\n", line.name,
-                              line.fairlead_tension / 1e3, line.length, line.on_bed, line.anchor_tension / 1e3, used);
+                : fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}\n", line.name,
+                              shown_number(line.fairlead_tension, "N", 2), shown_number(line.length, "m", 3),
+                              shown_number(line.on_bed, "m", 1), shown_number(line.anchor_tension, "N", 2), used);
   }
   return text;
 }
@@ -50,7 +49,9 @@ std::string moored_state_lines(const MooringResults& results) {
   std::string text = state_lines(results.rest);
   for (const MooredState& stage : results.stages) text += state_lines(stage);
   for (const WinchMove& move : results.winches) {
-    text += fmt::format("  winch of {:<16}{:>+9.3f} m\n", move.name, move.after - move.before);
+    const double paid_out = move.after - move.before;
+    text += fmt::format("  winch of {:<16}{:>9} {}\n", move.name,
+                        (std::signbit(paid_out) ? "" : "+") + shown_number(paid_out, "m", 3), shown_name("m"));
   }
   return text;
 }
@@ -81,8 +82,8 @@ std::string hull_lines(const HullResults& hull) {
 
 namespace {
 
-std::string in_three_hours(const MotionSpread& motion, double factor, int digits) {
-  return motion.most_probable_max ? fmt::format("{:.{}f}", *motion.most_probable_max * factor, digits) : "none";
+std::string in_three_hours(const MotionSpread& motion, std::string_view si, int digits) {
+  return motion.most_probable_max ? shown_number(*motion.most_probable_max, si, digits) : "none";
 }
 
 }  // namespace
@@ -93,38 +94,42 @@ std::string moored_dynamics_lines(const DynamicResults& results) {
     const VesselDynamics& v = *results.vessel;
     text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "vessel", "mean", "slow std", "wave std",
                         "min", "max", "in 3 h");
-    const auto row = [&](const char* name, const MotionSpread& m, double factor) {
-      text += fmt::format("  {:<16}{:>12.3f}{:>12.3f}{:>12.3f}{:>12.3f}{:>12.3f}{:>12}\n", name,
-                          shown(m.whole.mean * factor), m.slow.std * factor, m.wave.std * factor, m.whole.min * factor,
-                          m.whole.max * factor, in_three_hours(m, factor, 3));
+    const auto row = [&](const char* name, const MotionSpread& m, std::string_view si) {
+      const auto cell = [&](double value) { return shown_number(value, si, 3); };
+      text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", in(name, si), cell(m.whole.mean),
+                          cell(m.slow.std), cell(m.wave.std), cell(m.whole.min), cell(m.whole.max),
+                          in_three_hours(m, si, 3));
     };
-    row("surge m", v.surge, 1.0);
-    row("sway m", v.sway, 1.0);
-    row("heave m", v.heave, 1.0);
-    row("roll deg", v.roll, kToDegrees);
-    row("pitch deg", v.pitch, kToDegrees);
-    row("yaw deg", v.yaw, kToDegrees);
-    row("offset m", v.offset, 1.0);
+    row("surge", v.surge, "m");
+    row("sway", v.sway, "m");
+    row("heave", v.heave, "m");
+    row("roll", v.roll, "rad");
+    row("pitch", v.pitch, "rad");
+    row("yaw", v.yaw, "rad");
+    row("offset", v.offset, "m");
     text += "  " + v.confidence + "\n";
   }
   if (!results.thrust.empty()) {
-    text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "thrust kN, kN m", "mean", "std", "min",
-                        "max", "limit", "s at limit");
+    text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n",
+                        "thrust " + shown_name("N") + ", " + shown_name("N m"), "mean", "std", "min", "max", "limit",
+                        "s at limit");
     for (const ThrustDynamics& one : results.thrust) {
-      text += fmt::format("  {:<16}{:>12.1f}{:>12.1f}{:>12.1f}{:>12.1f}{:>12}{:>12.1f}\n", one.name,
-                          shown(1e-3 * one.given.mean), 1e-3 * one.given.std, shown(1e-3 * one.given.min),
-                          shown(1e-3 * one.given.max), one.limit ? fmt::format("{:.1f}", 1e-3 * *one.limit) : "none",
-                          one.time_at_limit);
+      const char* si = &one - results.thrust.data() == 2 ? "N m" : "N";
+      const auto cell = [&](double value) { return shown_number(value, si, 1); };
+      text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12.1f}\n", one.name, cell(one.given.mean),
+                          cell(one.given.std), cell(one.given.min), cell(one.given.max),
+                          one.limit ? cell(*one.limit) : "none", one.time_at_limit);
     }
   }
   if (results.moorings.empty()) return text;
-  text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "line tension kN", "mean", "slow std",
+  text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", in("line tension", "N"), "mean", "slow std",
                       "wave std", "min", "max", "in 3 h");
   for (const MooringLineDynamics& line : results.moorings) {
     const MotionSpread& t = line.fairlead_tension;
-    text += fmt::format("  {:<16}{:>12.1f}{:>12.1f}{:>12.1f}{:>12.1f}{:>12.1f}{:>12}\n", line.name, 1e-3 * t.whole.mean,
-                        1e-3 * t.slow.std, 1e-3 * t.wave.std, 1e-3 * t.whole.min, 1e-3 * t.whole.max,
-                        in_three_hours(t, 1e-3, 1));
+    const auto cell = [](double value) { return shown_number(value, "N", 1); };
+    text +=
+        fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", line.name, cell(t.whole.mean), cell(t.slow.std),
+                    cell(t.wave.std), cell(t.whole.min), cell(t.whole.max), in_three_hours(t, "N", 1));
   }
   return text;
 }

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 
-#include "base/constants.h"
+#include "base/shown_unit.h"
 #include "base/text.h"
 #include "model/lay_stage.h"
 #include "model/operation_words.h"
@@ -29,24 +28,21 @@ const char* progress_words(OperationType type) {
   return type == OperationType::passage ? "passed" : "cable out";
 }
 
-/// "0.00" and not "-0.00" for what rounds to nothing.
-std::string cell(const std::optional<double>& value, double factor, int digits, int width) {
-  if (!value) return fmt::format("{:>{}}", "-", width);
-  const double shown = *value * factor;
-  const bool nothing = std::abs(shown) < 0.5 * std::pow(10.0, -digits);
-  return fmt::format("{:>{}.{}f}", nothing ? 0.0 : shown, width, digits);
+std::string cell(const std::optional<double>& value, const ShownUnit& unit, int digits, int width) {
+  return fmt::format("{:>{}}", value ? shown_number(*value, unit, digits) : "-", width);
 }
 
 /// What is in the tank of a stinger at a stage of its ballast.
 std::string tank_words(const LayStageDescription& stage) {
-  std::string words = stage.tank_weight ? fmt::format("{:.0f} kN", *stage.tank_weight / 1e3) : "";
+  std::string words = stage.tank_weight ? shown(*stage.tank_weight, "N", 0) : "";
   if (stage.tank_ballast) words += fmt::format("{}{:.1f} %", words.empty() ? "" : " ", *stage.tank_ballast * 1e2);
   return words;
 }
 
 std::string begin(const LayStageDescription& stage) {
   const bool tank = stage.tank_weight || stage.tank_ballast;
-  const std::string gone = tank ? fmt::format("{:>11}", tank_words(stage)) : cell(progress(stage), 1.0, 1, 11);
+  const std::string gone =
+      tank ? fmt::format("{:>11}", tank_words(stage)) : cell(progress(stage), shown_unit("m"), 1, 11);
   return fmt::format("  {:<20}{}", for_display(stage.name, 19), gone);
 }
 
@@ -61,8 +57,8 @@ std::string stage_heads(OperationType type) {
   const bool ballast = type == OperationType::ballast;
   return fmt::format("  {:<20}{:>11}{:>10}{:>12}{:>10}{:>10}{:>11}  {}\n  {:<20}{:>11}{:>10}{:>12}{:>10}{:>10}{:>11}\n",
                      "stage", progress_words(type), "tension", ballast ? "stinger" : "head depth", "sagbend", "strain",
-                     "clearance", "largest utilisation", "", ballast ? "" : "m", "kN", ballast ? "deg" : "m", "MPa",
-                     "%", "m");
+                     "clearance", "largest utilisation", "", ballast ? "" : shown_name("m"), shown_name("N"),
+                     shown_name(ballast ? "rad" : "m"), shown_name("Pa"), "%", shown_name("m"));
 }
 
 std::string stage_line(const StageResult& stage) {
@@ -70,21 +66,22 @@ std::string stage_line(const StageResult& stage) {
   if (!stage.lay) {
     const StageFailure none{"no equilibrium", "", "", {}};
     const StageFailure& failure = stage.failure ? *stage.failure : none;
-    line += cell(stage.stage.tension, 1e-3, 1, 10) + "  " + failure.what;
+    line += cell(stage.stage.tension, shown_unit("N"), 1, 10) + "  " + failure.what;
     if (!failure.where.empty()) line += " (" + failure.where + ")";
     if (!failure.why.empty()) line += ": " + failure.why;
-    if (failure.least_tension) line += fmt::format("; it can be with {:.1f} kN", *failure.least_tension / 1e3);
+    if (failure.least_tension) line += "; it can be with " + shown(*failure.least_tension, "N", 1);
     return line + "\n";
   }
   const StaticResults& lay = *stage.lay;
   const std::optional<double> depth = lay.head ? std::optional(-lay.head->p_W.z()) : std::nullopt;
   const bool tank = stage.stage.tank_weight || stage.stage.tank_ballast;
-  line += cell(lay.top_tension, 1e-3, 1, 10);
-  line += tank && !lay.stinger.empty() ? cell(lay.stinger.front().angle, kToDegrees, 2, 12) : cell(depth, 1.0, 1, 12);
+  line += cell(lay.top_tension, shown_unit("N"), 1, 10);
+  line += tank && !lay.stinger.empty() ? cell(lay.stinger.front().angle, shown_unit("rad"), 2, 12)
+                                       : cell(depth, shown_unit("m"), 1, 12);
   const auto of_sagbend = [&](double value) { return has_sagbend(lay) ? std::optional(value) : std::nullopt; };
-  line += cell(of_sagbend(lay.sagbend.von_mises.value), 1e-6, 1, 10) +
-          cell(of_sagbend(lay.sagbend.strain.value), 1e2, 3, 10);
-  line += cell(lay.stinger_tip_clearance, 1.0, 2, 11) + "  " + worst_words(lay.checks);
+  line += cell(of_sagbend(lay.sagbend.von_mises.value), shown_unit("Pa"), 1, 10) +
+          cell(of_sagbend(lay.sagbend.strain.value), shown_unit("strain", "1"), 3, 10);
+  line += cell(lay.stinger_tip_clearance, shown_unit("m"), 2, 11) + "  " + worst_words(lay.checks);
   if (!stage.governing.empty()) line += ", tension decided by " + stage.governing;
   return line + "\n";
 }
@@ -92,17 +89,17 @@ std::string stage_line(const StageResult& stage) {
 std::string planned_stages(const Description& description) {
   const OperationType type = description.operation.type;
   if (!is_lay_operation(type)) return "";
-  std::string lines =
-      fmt::format("\nStages of the operation {}\n  {:<20}{:>11}{:>10}\n  {:<20}{:>11}{:>10}\n", operation_word(type),
-                  "stage", progress_words(type), "tension", "", type == OperationType::ballast ? "" : "m", "kN");
+  std::string lines = fmt::format("\nStages of the operation {}\n  {:<20}{:>11}{:>10}\n  {:<20}{:>11}{:>10}\n",
+                                  operation_word(type), "stage", progress_words(type), "tension", "",
+                                  type == OperationType::ballast ? "" : shown_name("m"), shown_name("N"));
   const StageTension* program =
       description.operation.lay.program ? &description.operation.lay.program->tension : nullptr;
   for (const LayStageDescription& stage : lay_stages(description)) {
     lines += begin(stage);
     if (stage.tension) {
-      lines += cell(stage.tension, 1e-3, 1, 10);
+      lines += cell(stage.tension, shown_unit("N"), 1, 10);
     } else if (stage.bottom_tension) {
-      lines += fmt::format("  for {:.1f} kN at touchdown", *stage.bottom_tension / 1e3);
+      lines += "  for " + shown(*stage.bottom_tension, "N", 1) + " at touchdown";
     } else {
       lines += program != nullptr && *program == StageTension::seek ? "  sought" : "  from the anchor's distance";
     }

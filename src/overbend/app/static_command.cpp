@@ -12,8 +12,8 @@
 #include "app/operation_command.h"
 #include "app/sensitivity_lines.h"
 #include "app/stinger_lines.h"
-#include "base/constants.h"
 #include "base/finding.h"
+#include "base/shown_unit.h"
 #include "report/places.h"
 #include "runstore/staged_folder.h"
 #include "statics/moored_lay.h"
@@ -36,13 +36,14 @@ void line(const std::string& name, const std::string& value) {
   std::cout << fmt::format("  {:<28}{}\n", name, value);
 }
 
-void number(const std::string& name, double value, const char* unit, int digits = 2) {
-  line(name, fmt::format("{:>12.{}f} {}", value, digits, unit));
+void number(const std::string& name, double value, const char* si, int digits = 2) {
+  line(name, fmt::format("{:>12} {}", shown_number(value, si, digits), shown_name(si)));
 }
 
 void print_region(const char* name, const StaticResults& r, const RegionResult& region) {
   const auto stress = [&](const Extreme& extreme) {
-    return fmt::format("{:>12.2f} MPa, {:.1f} m from the tensioner", extreme.value / 1e6, from_tensioner(r, extreme.s));
+    return fmt::format("{:>12} {}, {} from the tensioner", shown_number(extreme.value, "Pa", 2), shown_name("Pa"),
+                       shown(from_tensioner(r, extreme.s), "m", 1));
   };
   line(fmt::format("{} bending stress", name), stress(region.bending_stress));
   line(fmt::format("{} von Mises stress", name), stress(region.von_mises));
@@ -50,34 +51,38 @@ void print_region(const char* name, const StaticResults& r, const RegionResult& 
 
 void print_laid_pipe(const BedResults& bed) {
   const auto moment = [&](double value, double x) {
-    return fmt::format("{:>12.1f} kNm, {:.1f} m astern of the stern shoe", value / 1e3, x);
+    return fmt::format("{:>12} {}, {} astern of the stern shoe", shown_number(value, "N m", 1), shown_name("N m"),
+                       shown(x, "m", 1));
   };
-  number("tension at the far end", bed.tail_tension / 1e3, "kN");
+  number("tension at the far end", bed.tail_tension, "N");
   line("laid pipe, hogging moment", moment(bed.hogging_moment, bed.hogging_x));
   line("laid pipe, sagging moment", moment(bed.sagging_moment, bed.sagging_x));
   for (const FreeSpanResult& span : bed.spans) {
-    line("free span", fmt::format("{:>12.2f} m, {:.1f} to {:.1f} m astern of the stern shoe, gap {:.3f} m", span.length,
-                                  span.x_from, span.x_to, span.largest_gap));
+    line("free span", fmt::format("{:>12} {}, {} to {} astern of the stern shoe, gap {}",
+                                  shown_number(span.length, "m", 2), shown_name("m"), shown_number(span.x_from, "m", 1),
+                                  shown(span.x_to, "m", 1), shown(span.largest_gap, "m", 3)));
   }
 }
 
 void print_results(const StaticResults& r) {
   std::cout << r.title << "\n";
-  number("top tension", r.top_tension / 1e3, "kN");
-  number("horizontal tension", r.bottom_tension / 1e3, "kN");
+  number("top tension", r.top_tension, "N");
+  number("horizontal tension", r.bottom_tension, "N");
   number("lay-back", r.lay_back, "m");
   number("suspended length", r.suspended_length, "m");
-  number("departure angle", r.departure_angle * kToDegrees, "deg");
+  number("departure angle", r.departure_angle, "rad");
   if (r.overbend) print_region("overbend", r, *r.overbend);
   if (r.tower) print_region("tower", r, *r.tower);
   print_region("sagbend", r, r.sagbend);
   if (r.bed) print_laid_pipe(*r.bed);
-  if (r.residual_curvature > 0.0) number("residual curvature", r.residual_curvature, "1/m, at touchdown", 5);
+  if (r.residual_curvature > 0.0)
+    line("residual curvature",
+         fmt::format("{:>12} {}, at touchdown", shown_number(r.residual_curvature, "1/m", 5), shown_name("1/m")));
   if (r.stinger_tip_clearance) number("stinger tip clearance", *r.stinger_tip_clearance, "m", 3);
   if (r.stinger_fitted_radius) number("stinger radius, fitted", *r.stinger_fitted_radius, "m");
   if (!r.supports.empty()) {
-    line("largest roller reaction",
-         fmt::format("{:>12.2f} kN at {}", r.largest_reaction / 1e3, r.largest_reaction_support));
+    line("largest roller reaction", fmt::format("{:>12} {} at {}", shown_number(r.largest_reaction, "N", 2),
+                                                shown_name("N"), r.largest_reaction_support));
   }
   std::cout << stinger_lines(r);
   std::cout << friction_lines(r);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/constants.h"
+#include "base/shown_unit.h"
 #include "base/text.h"
 
 namespace overbend {
@@ -19,13 +19,13 @@ std::string heading(const StingerSectionResult& section) {
 std::string stinger_lines(const StaticResults& results) {
   std::string lines;
   for (const StingerSectionResult& section : results.stinger) {
-    lines += fmt::format("  {:<28}{:>12.2f} deg, hinge force {:.1f} kN", heading(section), section.angle * kToDegrees,
-                         section.hinge_force / 1e3);
-    if (section.at_stop) lines += fmt::format(", at a stop with {:.0f} kN m", std::abs(section.stop_moment) / 1e3);
-    if (!section.floats) lines += fmt::format(", held with {:.0f} kN m", std::abs(section.stop_moment) / 1e3);
+    lines += fmt::format("  {:<28}{:>12} deg, hinge force {}", heading(section), shown_number(section.angle, "rad", 2),
+                         shown(section.hinge_force, "N", 1));
+    if (section.at_stop) lines += ", at a stop with " + shown(std::abs(section.stop_moment), "N m", 0);
+    if (!section.floats) lines += ", held with " + shown(std::abs(section.stop_moment), "N m", 0);
     if (section.floats && section.friction_moment > 0.0) {
-      lines += fmt::format(", {:.2f} to {:.2f} deg with friction of the hinge", section.angle_up * kToDegrees,
-                           section.angle_down * kToDegrees);
+      lines += fmt::format(", {} to {} with friction of the hinge", shown_number(section.angle_up, "rad", 2),
+                           shown(section.angle_down, "rad", 2));
     }
     if (section.natural_period > 0.0) lines += fmt::format(", period {:.1f} s", section.natural_period);
     lines += "\n";
