@@ -78,6 +78,17 @@ ShownUnit steel_inertia() {
   return in_use({"m4", "cm4", 1e8, 1}, {"m4", "in4", std::pow(section_length().factor, 4), 3, 2});
 }
 
+std::string unit_of_key(const std::string& si, const std::string& metric) {
+  if (metric.empty() || units_in_use() == UnitSystem::metric) return metric;
+  if (metric == "mm") return std::string(section_length().name);
+  std::string spelled = si == "N/m^2" ? "Pa" : si;
+  std::replace(spelled.begin(), spelled.end(), '*', ' ');
+  std::erase(spelled, '^');
+  const std::span<const ShownUnit> all = shown_units(UnitSystem::us);
+  const auto known = std::find_if(all.begin(), all.end(), [&](const ShownUnit& unit) { return unit.si == spelled; });
+  return known != all.end() ? std::string(known->name) : metric;
+}
+
 std::string headed(const std::string& name, std::string_view si) {
   return name + " [" + shown_name(si) + "]";
 }

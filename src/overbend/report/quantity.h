@@ -60,6 +60,10 @@ ShownUnit rope_stiffness();  ///< [N]
 ShownUnit steel_area();      ///< [m2]
 ShownUnit steel_inertia();   ///< [m4]
 
+/// The unit for values of a key or a result kept in `si`, spelled as in the model file ("N*m"): `metric`, which is the
+/// one it is written in, or the US unit.
+std::string unit_of_key(const std::string& si, const std::string& metric);
+
 /// "Lay-back [m]": a name with the unit that its values are shown in.
 std::string headed(const std::string& name, std::string_view si);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/shown_unit.h"
 #include "base/units.h"
 #include "report/figure_list.h"
 #include "report/html.h"
@@ -77,7 +76,7 @@ Json shown_in(const std::string& name, const std::string& unit, const std::strin
 }
 
 Json goal_data(const SeekGoal& goal) {
-  Json data = shown_in(goal.result, goal.unit, shown_name(goal.unit));
+  Json data = shown_in(goal.result, goal.unit, goal_unit(goal));
   data["wanted"] = goal.is ? Json(goal.wanted) : Json(nullptr);
   data["reached"] = goal.reached ? Json(*goal.reached) : Json(nullptr);
   return data;

@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
-#include "base/shown_unit.h"
 #include "base/units.h"
+#include "report/quantity.h"
 
 namespace overbend {
 
 std::string key_unit(const SeekUnknown& unknown) {
-  if (unknown.show.empty() || units_in_use() == UnitSystem::metric) return unknown.show;
-  return shown_name(unknown.unit);
+  return unit_of_key(unknown.unit, unknown.show);
+}
+
+std::string goal_unit(const SeekGoal& goal) {
+  const std::vector<std::string> units = usual_units(goal.unit);
+  return units.empty() || goal.unit == "1" ? "" : unit_of_key(goal.unit, units.front());
 }
 
 std::string quantity_words(double value, const SeekUnknown& unknown, int digits) {
@@ -18,7 +22,8 @@ std::string quantity_words(double value, const SeekUnknown& unknown, int digits)
 }
 
 std::string result_words(double value, const SeekGoal& goal, int digits) {
-  return shown_digits(value, goal.unit, digits);
+  const std::string unit = goal_unit(goal);
+  return unit.empty() ? format_number(value, digits) : format_quantity(value, goal.unit, unit, digits);
 }
 
 std::string wanted_words(const SeekGoal& goal) {

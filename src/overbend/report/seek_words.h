@@ -12,6 +12,8 @@ namespace overbend {
 /// The unit that values of the key are shown in: the one it is written in, or the US unit of that. Empty for plain
 /// numbers.
 std::string key_unit(const SeekUnknown& unknown);
+/// The usual unit of a result; empty for plain numbers.
+std::string goal_unit(const SeekGoal& goal);
 
 /// A value of the key in the unit it is written in: "278.469 kN".
 std::string quantity_words(double value, const SeekUnknown& unknown, int digits = 6);

@@ -1,11 +1,13 @@
 #include "report/study_data.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "base/shown_unit.h"
 #include "base/units.h"
 #include "report/json_number.h"
+#include "report/quantity.h"
 #include "resultfiles/study_writer.h"
 
 #include "results/fields/words.h"
@@ -148,8 +150,8 @@ Json operability_json(const OperabilityResults& operability) {
 
 StudyShown shown_unit_of(const std::string& unit, const std::string& show) {
   if (show.empty()) return {};
-  const bool metric = units_in_use() == UnitSystem::metric;
-  if (const auto factor = metric ? unit_factor(show, unit) : std::nullopt) return {show, 1.0 / *factor};
+  const std::string name = unit_of_key(unit, show);
+  if (const auto factor = unit_factor(name, unit)) return {name, 1.0 / *factor};
   const ShownUnit usual = shown_unit("", unit);
   return {std::string(usual.name), usual.factor};
 }
@@ -161,6 +163,35 @@ StudyShown shown_unit_of(const StudyInput& input) {
 StudyShown shown_unit_of(const StudyOutput& output) {
   const ShownUnit unit = shown_output(output);
   return {std::string(unit.name), unit.factor};
+}
+
+namespace {
+
+/// Values of keys as the model file has them stay so in the units that it has them in.
+void put_words(const StudyInput& input, double value, std::string& words) {
+  const StudyShown unit = shown_unit_of(input);
+  if (unit.name != input.show && std::isfinite(value)) words = fmt::format("{:.6g} {}", value * unit.factor, unit.name);
+}
+
+void put_words(StudyInput& input) {
+  for (std::size_t i = 0; i < std::min(input.words.size(), input.values.size()); ++i) {
+    put_words(input, input.values[i], input.words[i]);
+  }
+}
+
+}  // namespace
+
+StudyResults in_shown_units(StudyResults results) {
+  for (StudyCase& one : results.cases) {
+    for (std::size_t i = 0; i < std::min({one.words.size(), one.inputs.size(), results.inputs.size()}); ++i) {
+      put_words(results.inputs[i], one.inputs[i], one.words[i]);
+    }
+  }
+  for (StudyInput& input : results.inputs) put_words(input);
+  if (results.operability) {
+    for (StudyInput& axis : results.operability->axes) put_words(axis);
+  }
+  return results;
 }
 
 std::string heading_of(const std::string& name, const StudyShown& unit) {

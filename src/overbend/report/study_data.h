@@ -20,6 +20,9 @@ StudyShown shown_unit_of(const StudyOutput& output);
 /// Unit `show` of a key whose numbers are in SI `unit`; the usual one of that where the text is no unit.
 StudyShown shown_unit_of(const std::string& unit, const std::string& show);
 
+/// With the values of the keys in words in the units in use.
+StudyResults in_shown_units(StudyResults results);
+
 /// Name of a result or key for people: the last parts of its path, with its unit in brackets where it has one.
 std::string heading_of(const std::string& name, const StudyShown& unit);
 

@@ -85,7 +85,8 @@ std::string kind_of(const StudyResults& results) {
 
 }  // namespace
 
-std::string study_html(const StudyResults& results) {
+std::string study_html(const StudyResults& stored) {
+  const StudyResults results = in_shown_units(stored);
   std::vector<std::pair<std::string, std::string>> entries;
   if (!results.cases.empty()) entries.emplace_back("Cases", std::to_string(results.cases.size()));
   if (results.operability) entries.emplace_back("Analyses of the chart", std::to_string(results.operability->runs));

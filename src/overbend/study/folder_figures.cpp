@@ -8,10 +8,14 @@
 namespace overbend {
 namespace {
 
-constexpr const char* kAlong = "distance from the tensioner [m]";
+constexpr const char* kAlong = "distance from the tensioner";
 
 double factor_of(const char* si) {
-  return shown_unit("", si).factor;
+  return shown_unit(si).factor;
+}
+
+std::string headed(const std::string& name, const char* si) {
+  return name + " [" + shown_name(si) + "]";
 }
 
 void add(FolderCurves& curves, const std::string& title, const std::string& x_label, const std::string& y_label,
@@ -40,7 +44,7 @@ double top_of(const StaticResults& results) {
 
 /// Thinned histories: low and high of each stretch one after the other.
 void add_history(FolderCurves& curves, const DynamicResults& results, const std::string& name, const std::string& title,
-                 const std::string& y_label, double factor) {
+                 const std::string& quantity, const char* si) {
   const auto at = std::ranges::find(results.histories, name, &HistorySummary::name);
   if (at == results.histories.end() || at->low.size() != at->high.size() || at->low.empty()) return;
   const double count = static_cast<double>(at->low.size());
@@ -49,9 +53,9 @@ void add_history(FolderCurves& curves, const DynamicResults& results, const std:
   for (std::size_t i = 0; i < at->low.size(); ++i) {
     const double from = -results.build_up + stretch * static_cast<double>(i);
     time.insert(time.end(), {from + 0.25 * stretch, from + 0.75 * stretch});
-    values.insert(values.end(), {factor * at->low[i], factor * at->high[i]});
+    values.insert(values.end(), {factor_of(si) * at->low[i], factor_of(si) * at->high[i]});
   }
-  add(curves, title, "time [s]", y_label, time, values);
+  add(curves, title, "time [s]", headed(quantity, si), time, values);
 }
 
 }  // namespace
@@ -60,40 +64,40 @@ void add_curves(FolderCurves& curves, const StaticResults& results) {
   std::vector<double> s, astern, height, tension, moment, stress;
   const double top = top_of(results);
   for (const Station& station : results.stations) {
-    s.push_back(top - station.s);
-    astern.push_back(station.astern);
-    height.push_back(station.p_W.z());
+    s.push_back(factor_of("m") * (top - station.s));
+    astern.push_back(factor_of("m") * station.astern);
+    height.push_back(factor_of("m") * station.p_W.z());
     tension.push_back(factor_of("N") * station.effective_tension);
     moment.push_back(factor_of("N m") * station.bending_moment);
     stress.push_back(factor_of("Pa") * station.von_mises);
   }
-  add(curves, "Static shape", "distance astern of the stern shoe [m]", "height [m]", astern, height);
-  add(curves, "Static effective tension", kAlong, "tension [kN]", s, tension);
-  add(curves, "Static bending moment", kAlong, "bending moment [kN m]", s, moment);
-  add(curves, "Static von Mises stress", kAlong, "von Mises stress [MPa]", s, stress);
+  add(curves, "Static shape", headed("distance astern of the stern shoe", "m"), headed("height", "m"), astern, height);
+  add(curves, "Static effective tension", headed(kAlong, "m"), headed("tension", "N"), s, tension);
+  add(curves, "Static bending moment", headed(kAlong, "m"), headed("bending moment", "N m"), s, moment);
+  add(curves, "Static von Mises stress", headed(kAlong, "m"), headed("von Mises stress", "Pa"), s, stress);
 }
 
 void add_curves(FolderCurves& curves, const StaticResults& statics, const DynamicResults& results) {
   std::vector<double> s;
   const double top = top_of(statics);
-  for (const double station : results.station_s) s.push_back(top - station);
+  for (const double station : results.station_s) s.push_back(factor_of("m") * (top - station));
   const auto envelope = [&](const char* title, const char* label, const std::vector<double>& values, const char* si) {
-    add(curves, title, kAlong, label, s, times(values, factor_of(si)));
+    add(curves, title, headed(kAlong, "m"), headed(label, si), s, times(values, factor_of(si)));
   };
-  envelope("Largest effective tension over time", "tension [kN]", results.effective_tension.max, "N");
-  envelope("Smallest effective tension over time", "tension [kN]", results.effective_tension.min, "N");
-  envelope("Largest bending moment over time", "bending moment [kN m]", results.bending_moment.max, "N m");
-  envelope("Largest von Mises stress over time", "von Mises stress [MPa]", results.von_mises.max, "Pa");
-  add_history(curves, results, "vessel/offset", "History of the vessel's offset", "offset [m]", 1.0);
+  envelope("Largest effective tension over time", "tension", results.effective_tension.max, "N");
+  envelope("Smallest effective tension over time", "tension", results.effective_tension.min, "N");
+  envelope("Largest bending moment over time", "bending moment", results.bending_moment.max, "N m");
+  envelope("Largest von Mises stress over time", "von Mises stress", results.von_mises.max, "Pa");
+  add_history(curves, results, "vessel/offset", "History of the vessel's offset", "offset", "m");
   for (const MooringLineDynamics& line : results.moorings) {
     add_history(curves, results, "mooring/" + line.name + "/fairlead_tension", "Fairlead tension of " + line.name,
-                "tension [kN]", factor_of("N"));
+                "tension", "N");
   }
-  add_history(curves, results, "top_tension", "History of the top tension", "tension [kN]", factor_of("N"));
+  add_history(curves, results, "top_tension", "History of the top tension", "tension", "N");
   add_history(curves, results, "overbend_von_mises", "History of the largest stress of the overbend",
-              "von Mises stress [MPa]", factor_of("Pa"));
-  add_history(curves, results, "sagbend_von_mises", "History of the largest stress of the sagbend",
-              "von Mises stress [MPa]", factor_of("Pa"));
+              "von Mises stress", "Pa");
+  add_history(curves, results, "sagbend_von_mises", "History of the largest stress of the sagbend", "von Mises stress",
+              "Pa");
 }
 
 std::vector<OverlaidFigure> overlaid(const std::vector<FolderCurves>& folders) {

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "report/bgl1_results.h"
+#include "report/lay_table_page.h"
+#include "report/operation_report.h"
+#include "report/page_text.h"
+#include "report/report.h"
+#include "report/seek_words.h"
+#include "report/study_page.h"
+#include "report/synthetic_dynamics.h"
+#include "report/synthetic_moorings.h"
+#include "report/synthetic_operation.h"
+#include "report/synthetic_study.h"
+#include "study/lay_table.h"
+#include "support/us_units.h"
+
+namespace overbend {
+namespace {
+
+using testing::bgl1;
+using testing::visible;
+
+/// Without what is told in the words of others: messages, assumptions, places of checks, the model's text and its
+/// title.
+std::string of_report(const std::string& page) {
+  std::string text = visible(page);
+  for (const char* id : {"findings", "verdict", "assumptions", "model", "failed"}) {
+    const std::size_t from = text.find("<section id=\"" + std::string(id) + "\"");
+    if (from != std::string::npos) text.erase(from, text.find("</section>", from) - from);
+  }
+  for (const char* part : {"<h1>[^<]*</h1>", "<style>[^<]*</style>", "<td class=\"t\">[^<]* with a wire core"}) {
+    text = std::regex_replace(text, std::regex(part), "");
+  }
+  return text;
+}
+
+/// Every place at which a metric unit stands behind a number, in a head, in a cell or in brackets.
+std::set<std::string> metric_units(const std::string& text) {
+  static const std::regex kMetric(
+      R"((\d ?(kN|MPa|kJ|mm|m)\b|[>\[(/, ](kN|MPa|MN|kJ|mm2?|cm4)\b|class="unit">(m|m/s|t|kg/m|N/m|N s)<|\[m\b)[^<]{0,30})");
+  std::set<std::string> found;
+  for (std::sregex_iterator at(text.begin(), text.end(), kMetric), none; at != none; ++at) found.insert(at->str());
+  return found;
+}
+
+void expect_us(const std::string& page) {
+  const std::string text = of_report(page);
+  EXPECT_TRUE(std::regex_search(text, std::regex("\\b(kip|ft|ksi)\\b")));
+  for (const std::string& place : metric_units(text)) ADD_FAILURE() << place;
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+StaticResults lay() {
+  StaticResults results = bgl1().results;
+  results.title = "A lay";
+  return results;
+}
+
+TEST(report_units, of_a_lay_in_time_are_customary_where_that_is_asked_for) {
+  const UsUnits units;
+  expect_us(report_html(lay(), testing::synthetic_dynamics(lay()), bgl1().model_text));
+}
+
+TEST(report_units, of_moored_hulls_and_lines_are_customary_where_that_is_asked_for) {
+  const UsUnits units;
+  expect_us(testing::moored_page_in_time());
+  expect_us(report_html(testing::synthetic_pull_ahead(), testing::example_text("moored-barge")));
+  expect_us(report_html(testing::synthetic_lines(true), testing::example_text("jumper")));
+}
+
+TEST(report_units, of_operations_and_studies_are_customary_where_that_is_asked_for) {
+  const UsUnits units;
+  expect_us(operation_report_html(testing::synthetic_abandonment(), testing::abandonment_text()));
+  for (const char* shape : {"maps", "swings", "sample", "operability"}) {
+    expect_us(study_html(testing::synthetic_study(shape)));
+  }
+}
+
+TEST(report_units, of_a_lay_table_are_customary_where_that_is_asked_for) {
+  const ModelReading reading = read_model(std::string(OVERBEND_SOURCE_DIR) + "/examples/first-model.yaml");
+  LayTableDescription asked;
+  asked.vary = LayTableVary::depth;
+  asked.from = 40.0;
+  asked.to = 45.0;
+  asked.steps = 1;
+  const UsUnits units;
+  const std::string page =
+      lay_table_html(make_lay_table(*reading.description, asked), reading.description->source_text);
+  expect_us(page);
+  EXPECT_TRUE(has(page, "147.638"));  // 45 m [ft]
+}
+
+TEST(report_units, numbers_are_those_of_independent_factors) {
+  constexpr double kNewtonsPerKip = 4448.2216152605, kPascalsPerKsi = 6.894757293168361e6;
+  const UsUnits units;
+  const std::string page = report_html(lay(), bgl1().model_text);
+  EXPECT_TRUE(has(page, fmt::format(">{:.2f} <span>kip</span>", lay().top_tension / kNewtonsPerKip)));
+  EXPECT_TRUE(has(page, fmt::format(">{:.2f} <span>ksi</span>", lay().sagbend.von_mises.value / kPascalsPerKsi)));
+  EXPECT_TRUE(has(page, fmt::format(">{:.1f} <span>ft</span>", lay().lay_back / 0.3048)));
+  EXPECT_TRUE(has(page, "<td class=\"t\">Steel outside diameter</td><td>16</td><td class=\"t\">in</td>"));
+  EXPECT_TRUE(
+      has(page, "<td class=\"t\">Seabed stiffness</td><td>2088.54</td><td class=\"t\">lbf/ft2</td>"));  // 100 kPa
+  EXPECT_TRUE(has(page, "\"m\":{\"name\":\"ft\",\"factor\":3.28"));  // what the figures draw lengths in
+}
+
+TEST(report_units, of_damping_and_stiffness_follow_from_force_and_length) {
+  const std::string text = testing::example_text("moored-barge");
+  MooringResults results = testing::synthetic_stages();
+  results.hull = testing::synthetic_hull();
+  const ModeDampingResult mode = results.hull->damping.front();
+  const UsUnits units;
+  const std::string page = report_html(results, text);
+  constexpr double kPerMetre = 0.3048 / 4448.2216152605;  // kip/ft of N/m
+  EXPECT_EQ(mode.mode, "surge");
+  EXPECT_TRUE(has(page, fmt::format("<td>{:.4g}</td>", mode.critical * kPerMetre)));
+  EXPECT_TRUE(has(page, "[kip/ft, kip, kip ft]"));
+  EXPECT_TRUE(has(page, fmt::format("<td>{:.5g}</td>", results.rest.vessel.stiffness[0] * kPerMetre)));
+}
+
+TEST(report_units, of_keys_are_those_they_are_written_in_or_customary) {
+  SeekUnknown key;
+  key.unit = "N";
+  key.show = "kN";
+  EXPECT_EQ(quantity_words(4448.2216152605, key, 4), "4.448 kN");
+  const UsUnits units;
+  EXPECT_EQ(quantity_words(4448.2216152605, key, 4), "1 kip");
+  key.unit = "m";
+  key.show = "mm";
+  EXPECT_EQ(quantity_words(0.0254, key, 4), "1 in");
+  key.unit = "N*m";
+  key.show = "kN*m";
+  EXPECT_EQ(quantity_words(1355.8179483314, key, 4), "1 kip ft");
+  key.unit = "kg/m^3";  // has no customary unit here
+  key.show = "kg/m^3";
+  EXPECT_EQ(quantity_words(1025.0, key, 4), "1025 kg/m^3");
+}
+
+}  // namespace
+}  // namespace overbend
