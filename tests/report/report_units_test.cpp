@@ -10,6 +10,7 @@
 #include "report/lay_table_page.h"
 #include "report/operation_report.h"
 #include "report/page_text.h"
+#include "report/quantity.h"
 #include "report/report.h"
 #include "report/seek_words.h"
 #include "report/study_page.h"
@@ -124,6 +125,10 @@ TEST(report_units, of_damping_and_stiffness_follow_from_force_and_length) {
   EXPECT_TRUE(has(page, fmt::format("<td>{:.4g}</td>", mode.critical * kPerMetre)));
   EXPECT_TRUE(has(page, "[kip/ft, kip, kip ft]"));
   EXPECT_TRUE(has(page, fmt::format("<td>{:.5g}</td>", results.rest.vessel.stiffness[0] * kPerMetre)));
+}
+
+TEST(report_units, plain_numbers_have_no_more_digits_than_mean_something) {
+  EXPECT_EQ(quantity("carrying_share", "1").text(0.99987), "0.9999");
 }
 
 TEST(report_units, of_keys_are_those_they_are_written_in_or_customary) {

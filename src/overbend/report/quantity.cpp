@@ -50,7 +50,9 @@ std::string Quantity::text(double si, int decimals) const {
 
 Quantity quantity(const std::string& name, const std::string& units) {
   const ShownUnit unit = shown_unit(quantity_of(name), units);
-  return {words(name), std::string(unit.name), unit.factor, unit.digits, unit.more};
+  constexpr int kPlain = 4;  // decimals of plain numbers, shares mostly
+  const int digits = unit.name.empty() ? std::min(unit.digits, kPlain) : unit.digits;
+  return {words(name), std::string(unit.name), unit.factor, digits, unit.more};
 }
 
 Quantity clearances() {
