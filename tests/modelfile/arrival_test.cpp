@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "modelfile/binding.h"
-#include "modelfile/field_tree.h"
+#include "modelfile/field_table.h"
 
 namespace overbend {
 namespace {

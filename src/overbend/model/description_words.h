@@ -6,7 +6,7 @@
 #include "base/words.h"
 #include "model/check_settings.h"
 #include "model/description.h"
-#include "model/line_types.h"
+#include "model/line_description.h"
 
 namespace overbend {
 

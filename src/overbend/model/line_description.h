@@ -9,6 +9,11 @@
 
 namespace overbend {
 
+/// Of a six-strand wire rope.
+enum class RopeCore { wire, fibre };
+/// Of chain of grade R4.
+enum class ChainLink { studless, studlink };
+
 /// A cable, chain or flexible by its numbers. Weights are per unstressed length.
 struct LineTypeDescription {
   std::string name;

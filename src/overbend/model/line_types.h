@@ -9,11 +9,6 @@
 
 namespace overbend {
 
-/// Of a six-strand wire rope.
-enum class RopeCore { wire, fibre };
-/// Of chain of grade R4.
-enum class ChainLink { studless, studlink };
-
 /// Six-strand wire rope of a nominal diameter [m], all numbers of it filled in but the bending stiffness and the weight
 /// under water.
 LineTypeDescription wire_rope(double diameter, RopeCore core);

@@ -5,12 +5,11 @@
 #include <optional>
 #include <string>
 
+#include "base/constants.h"
 #include "model/bending_law.h"
 #include "model/description.h"
 
 namespace overbend {
-
-inline constexpr double kGravity = 9.80665;  ///< Standard gravity [m/s2]; turns weights into masses.
 
 /// What a stretch of the line is.
 enum class SectionKind {

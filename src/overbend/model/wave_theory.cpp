@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "model/section.h"
+#include "base/constants.h"
 
 namespace overbend {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "modelfile/field_table.h"
 #include "modelfile/line_resolution.h"
 #include "modelfile/stinger_binding.h"
 

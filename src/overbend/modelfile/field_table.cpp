@@ -2,6 +2,7 @@
 
 #include "modelfile/field_rows.h"
 #include "modelfile/field_rows_fatigue.h"
+#include "modelfile/make_field_tree.h"
 
 namespace overbend {
 namespace {
@@ -79,6 +80,20 @@ const std::vector<Field>& field_table() {
     return table;
   }();
   return kTable;
+}
+
+const FieldNode& field_tree() {
+  static const FieldNode kTree = [] {
+    static const Field kRoot{.path = "", .kind = FieldKind::map, .text = "The model file."};
+    FieldNode root = make_field_tree(field_table(), kRoot);
+    check_types(root, typeid(Description));
+    return root;
+  }();
+  return kTree;
+}
+
+const FieldNode& field_node(const std::string& path) {
+  return place_in(field_tree(), path);
 }
 
 }  // namespace overbend

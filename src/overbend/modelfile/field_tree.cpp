@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "base/require.h"
-#include "model/description.h"
-#include "modelfile/field_table.h"
 #include "modelfile/make_field_tree.h"
 
 namespace overbend {
@@ -50,8 +48,6 @@ void insert(FieldNode& root, const Field& field) {
   slot = &field;
 }
 
-void check_types(const FieldNode& node, std::type_index owner);
-
 void check_type(const FieldNode& node, const Field* row, std::type_index owner) {
   if (row == nullptr) return;
   const Member& member = row->member;
@@ -69,12 +65,11 @@ void check_type(const FieldNode& node, const Field* row, std::type_index owner) 
   }
 }
 
-/// Holds each row to the type of the object that it will be given.
+}  // namespace
+
 void check_types(const FieldNode& node, std::type_index owner) {
   for (const Field* row : {node.scalar, node.map, node.list}) check_type(node, row, owner);
 }
-
-}  // namespace
 
 const Field& FieldNode::first() const {
   const Field* best = nullptr;
@@ -102,16 +97,6 @@ bool FieldNode::has_required_member() const {
   return std::any_of(members.begin(), members.end(), [](const auto& m) { return m->first().required; });
 }
 
-const FieldNode& field_tree() {
-  static const FieldNode kTree = [] {
-    static const Field kRoot{.path = "", .kind = FieldKind::map, .text = "The model file."};
-    FieldNode root = make_field_tree(field_table(), kRoot);
-    check_types(root, typeid(Description));
-    return root;
-  }();
-  return kTree;
-}
-
 FieldNode make_field_tree(const std::vector<Field>& table, const Field& root) {
   FieldNode tree;
   tree.map = &root;
@@ -119,8 +104,8 @@ FieldNode make_field_tree(const std::vector<Field>& table, const Field& root) {
   return tree;
 }
 
-const FieldNode& field_node(const std::string& path) {
-  const FieldNode* node = &field_tree();
+const FieldNode& place_in(const FieldNode& root, const std::string& path) {
+  const FieldNode* node = &root;
   for (const std::string& part : split_path(path)) {
     node = part == "[]" ? node->item.get() : node->member(part);
     if (node == nullptr) broken_promise("the field table has the path " + path);

@@ -28,10 +28,7 @@ struct FieldNode {
   bool has_required_member() const;
 };
 
-/// The tree of field_table(); its root has the keys of the top level.
-const FieldNode& field_tree();
-
-/// The place of that path in the tree, as the table writes it.
-const FieldNode& field_node(const std::string& path);
+/// The place of a path in a tree, as its table writes it. A path that is not there is a broken promise.
+const FieldNode& place_in(const FieldNode& root, const std::string& path);
 
 }  // namespace overbend

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "model/rao_table.h"
 #include "modelfile/binding.h"
+#include "modelfile/field_table.h"
 #include "modelfile/hull_plausibility.h"
 #include "seafiles/coefficient_table.h"
 #include "seafiles/hydrodynamics_reader.h"

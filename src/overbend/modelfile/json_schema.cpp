@@ -4,7 +4,7 @@
 
 #include "base/json.h"
 #include "base/units.h"
-#include "modelfile/field_tree.h"
+#include "modelfile/field_table.h"
 
 namespace overbend {
 namespace {

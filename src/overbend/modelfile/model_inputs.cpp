@@ -6,7 +6,7 @@
 
 #include "base/yaml_document.h"
 #include "modelfile/binding.h"
-#include "modelfile/field_tree.h"
+#include "modelfile/field_table.h"
 
 namespace overbend {
 namespace {

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "modelfile/binding.h"
+#include "modelfile/field_table.h"
 #include "seafiles/motion_history_reader.h"
 #include "seafiles/rao_reader.h"
 

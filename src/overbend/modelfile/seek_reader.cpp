@@ -1,7 +1,7 @@
 #include "modelfile/seek_reader.h"
 
 #include "modelfile/binding.h"
-#include "modelfile/field_tree.h"
+#include "modelfile/field_table.h"
 
 namespace overbend {
 

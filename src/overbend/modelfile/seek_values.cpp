@@ -2,7 +2,7 @@
 
 #include "base/name_parts.h"
 #include "base/units.h"
-#include "modelfile/field_tree.h"
+#include "modelfile/field_table.h"
 #include "modelfile/scalar_row.h"
 #include "resultfiles/named_results.h"
 

@@ -8,7 +8,7 @@
 #include "base/utf8.h"
 #include "base/yaml_document.h"
 #include "modelfile/binding.h"
-#include "modelfile/field_tree.h"
+#include "modelfile/field_table.h"
 #include "modelfile/field_value.h"
 #include "modelfile/hull_files.h"
 #include "modelfile/model_checks.h"

@@ -9,7 +9,7 @@ namespace overbend {
 namespace {
 
 constexpr double kJump = 0.02;  // of the difference over the first bracket, left when it is closed
-constexpr double kTurn = 1e-3;  // of the range of the values, against which they may go and still be monotone
+constexpr double kReversal = 1e-3;  // of the range of the values, against which they may go and still be monotone
 constexpr int kMostSteps = 100;
 constexpr int kTurnSteps = 12;
 constexpr double kProbe = 0.02;  // of the way from an end of the interval to the next point
@@ -199,8 +199,8 @@ bool is_monotone(const RootScan& scan) {
   std::optional<double> before;
   for (const ScannedPoint& point : scan.points) {
     if (!point.value) continue;
-    rises = rises && (!before || *point.value >= *before - kTurn * (largest - least));
-    falls = falls && (!before || *point.value <= *before + kTurn * (largest - least));
+    rises = rises && (!before || *point.value >= *before - kReversal * (largest - least));
+    falls = falls && (!before || *point.value <= *before + kReversal * (largest - least));
     before = point.value;
   }
   return rises || falls;

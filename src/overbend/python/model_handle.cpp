@@ -8,7 +8,7 @@
 #include "base/require.h"
 #include "base/text.h"
 #include "modelfile/chosen_keys.h"
-#include "modelfile/field_tree.h"
+#include "modelfile/field_table.h"
 #include "modelfile/yaml_path.h"
 #include "modelfile/yaml_reader.h"
 

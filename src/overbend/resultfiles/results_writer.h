@@ -20,9 +20,6 @@ void write_static_results(const StaticResults& results, const Description& descr
 void write_static_files(const StaticResults& results, const Description& description,
                         const std::filesystem::path& folder, const SensitivityResults* sensitivities = nullptr);
 
-/// The text of summary.json: key results in SI.
-std::string static_summary(const StaticResults& results);
-
 /// The text of pipe.csv: a row per station, engineering units.
 std::string pipe_table(const StaticResults& results);
 

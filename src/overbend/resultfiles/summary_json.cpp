@@ -1,6 +1,5 @@
 #include "resultfiles/summary_json.h"
 
-#include "resultfiles/results_writer.h"
 #include "resultfiles/summary_fields.h"
 #include "results/verdict.h"
 

@@ -11,6 +11,9 @@ namespace overbend {
 /// What a static analysis writes.
 Json static_summary_json(const StaticResults& results);
 
+/// The same as text: key results in SI.
+std::string static_summary(const StaticResults& results);
+
 /// What a static analysis of a vessel on mooring lines without a pipe writes.
 Json mooring_summary_json(const MooringResults& results);
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "modelfile/field_tree.h"
+#include "modelfile/field_table.h"
 #include "modelfile/scalar_reader.h"
 #include "report/json_number.h"
 

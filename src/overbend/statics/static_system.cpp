@@ -8,7 +8,6 @@
 #include "mechanics/quadrature.h"
 #include "mechanics/rod_element.h"
 #include "model/lay_stage.h"
-#include "statics/steady_laying.h"
 #include "statics/step_search.h"
 #include "statics/touchdown.h"
 #include "system/vessel_body.h"
@@ -26,6 +25,12 @@ Vec3 tangent_at(const std::vector<double>& q, int node) {
 }
 
 }  // namespace
+
+bool lays_steadily(const Model& model) {
+  const Description& d = model.description;
+  return d.statics.laying == Laying::steady && model.seabed.friction_lateral > 0.0 && model.seabed.stiffness > 0.0 &&
+         !cable_at_far_end(d);
+}
 
 void advance(LineState& to, const LineState& from, const std::vector<double>& dq, double share) {
   to.q.resize(dq.size());

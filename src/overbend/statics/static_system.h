@@ -26,6 +26,10 @@ struct LineTargetValue {
   double value = 0.0;  ///< [N], or horizontal distance from tensioner to anchor [m].
 };
 
+/// Whether statics look for the line on which this model's pipe was laid: it lies where friction keeps it, and no cable
+/// leads its far end to an anchor.
+bool lays_steadily(const Model& model);
+
 class StaticSystem {
  public:
   StaticSystem(const Model& model, const VesselPose& pose, LineMesh mesh);

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "model/lay_stage.h"
 #include "statics/static_start.h"
 
 namespace overbend {
@@ -41,12 +40,6 @@ bool take(StaticCase& at, const StaticSystem::LineChange& change, double way) {
 }
 
 }  // namespace
-
-bool lays_steadily(const Model& model) {
-  const Description& d = model.description;
-  return d.statics.laying == Laying::steady && model.seabed.friction_lateral > 0.0 && model.seabed.stiffness > 0.0 &&
-         !cable_at_far_end(d);
-}
 
 LayRoute laid_route(const Model& model, const StaticSolution& solution) {
   constexpr double kRounding = 1e-9;  // [m], as in statics

@@ -13,10 +13,6 @@
 
 namespace overbend {
 
-/// Whether statics look for the line on which this model's pipe was laid: it lies where friction keeps it, and no cable
-/// leads its far end to an anchor.
-bool lays_steadily(const Model& model);
-
 /// The line on which the pipe of a solution lies.
 LayRoute laid_route(const Model& model, const StaticSolution& solution);
 
