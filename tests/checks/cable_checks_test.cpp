@@ -89,7 +89,7 @@ TEST(cable_checks, a_line_that_is_all_cable_is_held_to_nothing_else) {
 }
 
 TEST(cable_checks, what_is_assumed_names_no_tensile_strength_of_the_cable) {
-  const std::vector<std::string>& said = abandoned().results.checks.assumptions;
+  const std::vector<std::string> said = texts(abandoned().results.checks.assumptions);
   EXPECT_TRUE(std::any_of(said.begin(), said.end(),
                           [](const std::string& s) { return s.find("breaking load only") != std::string::npos; }));
   EXPECT_TRUE(std::none_of(said.begin(), said.end(),

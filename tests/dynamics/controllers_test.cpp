@@ -399,7 +399,7 @@ TEST(controllers, leave_words_in_the_results) {
   Asked asked([](const MachineReading&) { return speed(9.0); });
   Simulated simulation(c, with(c, &asked));
   simulation.advance(4.0);
-  const std::vector<std::string> assumed = simulation.controllers().assumptions();
+  const std::vector<std::string> assumed = texts(simulation.controllers().assumptions());
   ASSERT_EQ(assumed.size(), 1U);
   EXPECT_EQ(assumed[0].find("A controller from outside, asked every 0.1 s, drove the tensioner"), 0U);
   const std::vector<std::string> warned = messages(simulation.controllers().findings(simulation.system()));

@@ -154,7 +154,7 @@ TEST(pull_ahead, says_what_it_was_too_short_for_and_what_cannot_pay_out) {
                                [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
   };
   ASSERT_FALSE(results.assumptions.empty());
-  EXPECT_NE(results.assumptions.back().find("0.40 m ahead in 2 moves from t = 1 s on"), std::string::npos);
+  EXPECT_NE(results.assumptions.back().text.find("0.40 m ahead in 2 moves from t = 1 s on"), std::string::npos);
   EXPECT_TRUE(told("the run is too short for the operation"));
   EXPECT_TRUE(told("the tensioner is locked while the vessel moves"));
   EXPECT_TRUE(told("the tensioner's travel of 1.50 m is not applied"));

@@ -29,7 +29,7 @@ Description moving() {
 }
 
 int mentions(const Description& d, const std::string& words) {
-  const std::vector<std::string> list = assumptions(build_model(d));
+  const std::vector<std::string> list = texts(assumptions(build_model(d)));
   return static_cast<int>(std::count_if(list.begin(), list.end(),
                                         [&](const std::string& s) { return s.find(words) != std::string::npos; }));
 }
@@ -58,7 +58,7 @@ TEST(dynamic_assumptions, are_told_of_a_model_with_dynamics_alone) {
 }
 
 TEST(dynamic_assumptions, are_told_once_each_in_whole_sentences) {
-  std::vector<std::string> list = assumptions(build_model(moving()));
+  std::vector<std::string> list = texts(assumptions(build_model(moving())));
   for (const std::string& sentence : list) EXPECT_EQ(sentence.back(), '.') << sentence;
   std::sort(list.begin(), list.end());
   EXPECT_EQ(std::adjacent_find(list.begin(), list.end()), list.end());

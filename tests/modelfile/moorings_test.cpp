@@ -36,7 +36,7 @@ TEST(moorings, a_vessel_on_lines_needs_no_pipe) {
 }
 
 TEST(moorings, what_was_assumed_of_lines_is_said) {
-  const std::vector<std::string> list = assumptions(build_model(read_good(kMoored)));
+  const std::vector<std::string> list = texts(assumptions(build_model(read_good(kMoored))));
   const auto says = [&](const std::string& words) {
     return std::any_of(list.begin(), list.end(),
                        [&](const std::string& s) { return s.find(words) != std::string::npos; });
@@ -46,7 +46,7 @@ TEST(moorings, what_was_assumed_of_lines_is_said) {
   EXPECT_FALSE(says("'given'"));
   EXPECT_TRUE(says("fixed point of the vessel"));
   EXPECT_FALSE(says("stern shoe"));
-  for (const std::string& line : assumptions(build_model(read_good(kLines)))) {
+  for (const std::string& line : texts(assumptions(build_model(read_good(kLines))))) {
     EXPECT_EQ(line.find("vessel"), std::string::npos) << line;
   }
 }

@@ -74,8 +74,8 @@ TEST(dynamic_recorder, the_size_of_slamming_stands_among_the_assumptions_of_a_ru
   const TimedLay c(testing::workable());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
-  const auto says = [](const std::string& s) {
-    return s.find("Slamming") == 0 && s.find("1.29 kN/m at 1 m/s") != std::string::npos;
+  const auto says = [](const Assumption& assumption) {
+    return assumption.text.find("Slamming") == 0 && assumption.text.find("1.29 kN/m at 1 m/s") != std::string::npos;
   };
   EXPECT_TRUE(std::any_of(r.assumptions.begin(), r.assumptions.end(), says));
 }

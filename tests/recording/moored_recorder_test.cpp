@@ -113,7 +113,7 @@ TEST(moored_recorder, follows_a_pull_ahead_and_warns_where_the_run_ends_before_i
   EXPECT_GT(advance.back(), 0.3);
   EXPECT_TRUE(sink.column("tensioner/paid_out").empty());
   ASSERT_EQ(r.assumptions.size(), 1U);
-  EXPECT_NE(r.assumptions.front().find("is pulled 3.00 m ahead in one move from t = 4 s on."), std::string::npos);
+  EXPECT_NE(r.assumptions.front().text.find("is pulled 3.00 m ahead in one move from t = 4 s on."), std::string::npos);
   EXPECT_TRUE(std::ranges::any_of(messages(r.findings), [](const std::string& warning) {
     return warning.find("too short for the operation") != std::string::npos;
   }));

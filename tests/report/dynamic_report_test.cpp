@@ -127,7 +127,7 @@ TEST(dynamic_report, holds_the_static_report_too) {
   }
   EXPECT_EQ(count(text, "data-figure=\"mises\""), 2u);
   // Assumptions of both, each once.
-  for (const std::string& assumption : example().assumptions) {
+  for (const std::string& assumption : texts(example().assumptions)) {
     EXPECT_EQ(count(section(text, "assumptions"), html::escape(assumption)), 1u) << assumption;
   }
 }
@@ -198,7 +198,7 @@ TEST(dynamic_report, hostile_words_of_the_user_are_harmless) {
   const std::string attack = "</script><script>alert(1)</script><img src=x onerror=alert(2)>";
   DynamicResults results = example();
   results.findings = {{FindingCode::unknown, attack}};
-  results.assumptions = {attack};
+  results.assumptions = {{AssumptionRank::governing, attack}};
   results.supports.front().name = attack;
   results.histories.front().name = "support/" + attack + "/reaction";
   results.run.integrator = attack;

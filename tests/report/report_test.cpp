@@ -41,7 +41,7 @@ TEST(report, shows_its_numbers_without_scripts) {
   for (const SupportResult& box : results.supports) {
     EXPECT_NE(text.find("<td class=\"t\">" + box.name + "</td>"), std::string::npos) << box.name;
   }
-  for (const std::string& assumption : results.assumptions) {
+  for (const std::string& assumption : texts(results.assumptions)) {
     EXPECT_NE(text.find(html::escape(assumption)), std::string::npos) << assumption;
   }
   EXPECT_NE(text.find("concrete"), std::string::npos);  // inputs are read from the model text

@@ -278,7 +278,8 @@ DynamicResults synthetic_dynamics(const StaticResults& statics, bool calm) {
   r.build_up = kBuildUp;
   r.output_step = 0.5;
   r.seed = 7;
-  r.assumptions = {"The sea is long-crested.", "Water moves as linear waves with Wheeler stretching tell."};
+  r.assumptions = {{AssumptionRank::other, "The sea is long-crested."},
+                   {AssumptionRank::other, "Water moves as linear waves with Wheeler stretching tell."}};
   r.findings = {{FindingCode::tension_drifts, "the tension left the operational range"}};
   fill_stations(r, statics);
   r.top_tension = around(statics.top_tension, 9e3);

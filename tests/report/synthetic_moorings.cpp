@@ -102,7 +102,7 @@ MooringResults synthetic_moorings() {
   MooringResults results;
   results.title = "BGL-1 on eight moorings";
   results.version = "test";
-  results.assumptions = {"Mooring lines are elastic catenaries."};
+  results.assumptions = {{AssumptionRank::governing, "Mooring lines are elastic catenaries."}};
   results.rest = state_of("static", 0.0, 0.0, 0.0);
   results.rest.vessel.natural_periods = {{"sway", 77.1}, {"surge", 66.9}, {"yaw", 44.6}};
   results.rest.vessel.stiffness.assign(36, 0.0);

@@ -63,7 +63,7 @@ OperationResults synthetic_abandonment() {
   OperationResults results;
   results.title = "BGL-1, abandonment of the pipe";
   results.version = "1.0";
-  results.assumptions = {"the cable has no bending stiffness"};
+  results.assumptions = {{AssumptionRank::other, "the cable has no bending stiffness"}};
   for (const double out : {40.0, 75.0, 110.0, 160.0, 260.0}) {
     results.stages.push_back(stage_of(out, (out - 40.0) / 220.0));
   }

@@ -39,7 +39,7 @@ StudyResults headed(const std::string& title) {
                      {"dynamic.sagbend.max_strain", "1"},
                      {"checks.governing", "", true}};
   results.command = "overbend study waves.yaml -o waves.study";
-  results.assumptions = {"The sea is that of a JONSWAP spectrum."};
+  results.assumptions = {{AssumptionRank::other, "The sea is that of a JONSWAP spectrum."}};
   results.wall_time = 5400.0;
   results.threads = 8;
   return results;

@@ -31,7 +31,8 @@ class LinesReader : public ::testing::Test {
 
 TEST_F(LinesReader, gives_back_a_run_bit_for_bit) {
   LinesResults results = testing::synthetic_lines(true);
-  results.assumptions = {"one", "two"};
+  results.assumptions = {
+      {AssumptionRank::governing, "one"}, {AssumptionRank::setting, "two"}, {AssumptionRank::other, "three"}};
   results.energy_drift = 1e-5 / 3.0;
   results.steps = 811;
   results.lines[0].utilisation = 0.1;

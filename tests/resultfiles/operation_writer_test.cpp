@@ -26,7 +26,7 @@ OperationResults three_stages() {
   results.version = "1";
   results.type = OperationType::abandonment;
   results.findings = {{FindingCode::unknown, "one warning"}};
-  results.assumptions = {"one assumption"};
+  results.assumptions = {{AssumptionRank::governing, "one assumption"}};
   results.wall_time = 0.25;
   StageResult& first = results.stages.emplace_back();
   first.stage = {"over the stinger", 60.0, {}, {}, {}, 420e3, {}, {}, {}};

@@ -26,7 +26,7 @@ SensitivityResults two_inputs() {
   s.results = {{"static.bottom_tension", "Horizontal tension at touchdown", "N", 205e3, true}};
   s.derivatives = {{1.0, {}, false, 0.0, 0.0}, {4e4, "stinger 4", true, -8.005, 1e5}};
   s.without_effect = {"vessel.length"};
-  s.assumptions = {"mesh held"};
+  s.assumptions = {{AssumptionRank::setting, "mesh held"}};
   s.wall_time = 0.5;
   return s;
 }

@@ -30,7 +30,7 @@ void expect_region(const Json& region, const std::string& place) {
 }
 
 void expect_common_keys(const Json& json) {
-  expect_keys(json, {"title", "version", "assumptions", "warnings", "derived", "static"}, "");
+  expect_keys(json, {"title", "version", "assumptions", "assumption_ranks", "warnings", "derived", "static"}, "");
   EXPECT_EQ(json["status"], "converged");
   expect_numbers(json["derived"], {"EA", "EI", "weight_in_air", "weight_submerged", "steel_area"}, "derived");
   const Json& statics = json["static"];

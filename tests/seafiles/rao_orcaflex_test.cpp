@@ -86,7 +86,7 @@ TEST(rao_orcaflex, an_origin_of_its_axes_that_is_not_stated_is_assumed) {
   const RaoTable table = good_raos(file.path());
   EXPECT_EQ(table.reference_V, Vec3(60.0, 0.0, 6.0));
   ASSERT_EQ(table.assumptions.size(), 2U);
-  EXPECT_NE((table.assumptions[0] + table.assumptions[1]).find("origin of these axes is assumed at midship"),
+  EXPECT_NE((table.assumptions[0].text + table.assumptions[1].text).find("origin of these axes is assumed at midship"),
             std::string::npos);
 }
 

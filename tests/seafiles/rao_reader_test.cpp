@@ -56,7 +56,7 @@ TEST(rao_reader, a_file_that_does_not_name_its_point_becomes_an_assumption) {
   const RaoTable wamit = good_raos(bgl1_file("bgl1.4"));
   EXPECT_EQ(wamit.reference_V, Vec3(0.0, 0.0, 0.0));
   ASSERT_EQ(wamit.assumptions.size(), 2U);
-  EXPECT_NE(wamit.assumptions[0].find("midship on the water line"), std::string::npos);
+  EXPECT_NE(wamit.assumptions[0].text.find("midship on the water line"), std::string::npos);
 }
 
 /// The barge's table as a CSV file in the convention of `words`, written from their definition.
@@ -181,7 +181,7 @@ TEST(rao_reader, the_starboard_side_alone_is_mirrored) {
   EXPECT_TRUE(table.one_sided());
   EXPECT_LT(difference(table, whole), 1e-6);
   ASSERT_EQ(table.assumptions.size(), 1U);
-  EXPECT_NE(table.assumptions[0].find("mirror image"), std::string::npos);
+  EXPECT_NE(table.assumptions[0].text.find("mirror image"), std::string::npos);
 }
 
 /// The barge's motions at another point, with phases that count from the crest there.
@@ -212,7 +212,7 @@ TEST(rao_reader, one_side_of_a_point_off_the_centreline_is_mirrored_on_the_centr
     EXPECT_EQ(table.wave_origin_V, expected.wave_origin_V);
     EXPECT_LT(difference(table, expected), 1e-6) << (port ? "port" : "starboard");
     ASSERT_EQ(table.assumptions.size(), 2U);
-    EXPECT_NE(table.assumptions[1].find("off the centreline"), std::string::npos);
+    EXPECT_NE(table.assumptions[1].text.find("off the centreline"), std::string::npos);
   }
 }
 
@@ -272,7 +272,8 @@ TEST(rao_reader, freedoms_a_file_does_not_give_are_zero_and_assumed) {
   EXPECT_EQ(table.at(0.0, 1.0)[4], 0.0);
   EXPECT_NEAR(table.omegas[0], 0.2 * kPi, 1e-12);
   int assumed = 0;
-  for (const std::string& line : table.assumptions) assumed += line.find("taken as zero") != std::string::npos ? 1 : 0;
+  for (const std::string& line : texts(table.assumptions))
+    assumed += line.find("taken as zero") != std::string::npos ? 1 : 0;
   EXPECT_EQ(assumed, 5);
 }
 

@@ -108,7 +108,7 @@ TEST(rao_symmetry, half_a_circle_without_a_statement_is_mirrored_as_an_assumptio
   const Reading reading = read(orcaflex_text("", headings(0.0, 180.0, 15.0), raft));
   expect_raft(reading, 15.0);
   ASSERT_FALSE(reading.table->assumptions.empty());
-  EXPECT_NE(reading.table->assumptions[0].find("mirror image"), std::string::npos);
+  EXPECT_NE(reading.table->assumptions[0].text.find("mirror image"), std::string::npos);
 }
 
 TEST(rao_symmetry, points_off_the_planes_of_symmetry_are_refused) {

@@ -48,7 +48,7 @@ const Analyses& analyses() {
   return kAll;
 }
 
-std::string bits_of(const CheckTable& table, const std::vector<std::string>& assumptions) {
+std::string bits_of(const CheckTable& table, const Assumptions& assumptions) {
   BitsVisitor bits;
   testing::visit_checks(table, bits);
   bits(ResultField{"assumptions"}, assumptions);

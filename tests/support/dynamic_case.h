@@ -26,6 +26,9 @@ struct FillVisitor {
   }
   void operator()(const ResultField&, bool& value) { value = (++next % 2) == 0; }
   void operator()(const ResultField& field, std::string& value) { value = field.name + " " + std::to_string(++next); }
+  void operator()(const ResultField& field, Assumption& value) {
+    value = {static_cast<AssumptionRank>(++next % 3), field.name + " " + std::to_string(next)};
+  }
   void operator()(const ResultField& field, Finding& value) {
     const double number = std::sqrt(2.0 + ++next);
     value = Finding{FindingCode::free_spans, field.name + " " + std::to_string(next)}.on("pipe").at_time(number);

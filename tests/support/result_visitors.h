@@ -42,6 +42,9 @@ struct BitsVisitor {
   }
   void operator()(const ResultField& field, bool value) { (*this)(field, value ? 1 : 0); }
   void operator()(const ResultField& field, const std::string& value) { text += field.name + "=" + value + "\n"; }
+  void operator()(const ResultField& field, const Assumption& value) {
+    text += field.name + "=" + std::string(rank_name(value.rank)) + " " + value.text + "\n";
+  }
   void operator()(const ResultField& field, const Finding& value) {
     text += field.name + "=" + json_text(finding_json(value)) + "\n";
   }

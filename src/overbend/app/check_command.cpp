@@ -150,7 +150,7 @@ int run_check(const std::string& model_file) {
     }
   }
   print_raos(model);
-  print_list("Assumptions", assumptions(model));
+  print_list("Assumptions", texts(assumptions(model)));
   if (!findings.empty()) std::cout << "\nFindings\n" << finding_lines(findings);
   return kDone;
 }

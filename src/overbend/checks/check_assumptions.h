@@ -1,13 +1,11 @@
 /// Assumptions of the checks, in words for the report.
 #pragma once
 
-#include <string>
-#include <vector>
-
+#include "base/assumption.h"
 #include "checks/check_station.h"
 
 namespace overbend {
 
-std::vector<std::string> check_assumptions(const CheckStations& all, const CheckSettings& settings);
+Assumptions check_assumptions(const CheckStations& all, const CheckSettings& settings);
 
 }  // namespace overbend

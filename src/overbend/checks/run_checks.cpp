@@ -110,8 +110,8 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
 /// The table's assumptions are the last of the results'; checks that are not judged are findings.
 template <class Results>
 void put(CheckTable table, Results& results) {
-  const std::vector<std::string>& before = results.checks.assumptions;
-  std::vector<std::string>& all = results.assumptions;
+  const Assumptions& before = results.checks.assumptions;
+  Assumptions& all = results.assumptions;
   if (all.size() >= before.size() && std::equal(before.rbegin(), before.rend(), all.rbegin())) {
     all.resize(all.size() - before.size());
   }

@@ -260,14 +260,15 @@ void Controllers::command(const std::string& name, const MachineCommand& command
   if (command.kind == MachineCommand::Kind::tension) set_wanted_tension(law, command.value);
 }
 
-std::vector<std::string> Controllers::assumptions() const {
-  std::vector<std::string> list;
+Assumptions Controllers::assumptions() const {
+  Assumptions list;
   for (const CommandedMachine& machine : machines_) {
     if (machine.controller == nullptr) continue;
     list.push_back(
-        fmt::format("A controller from outside, asked every {:.6g} s, drove {}: it is not part of the model "
-                    "file, which alone does not give these results again.",
-                    machine.interval, machine.words));
+        {AssumptionRank::other,
+         fmt::format("A controller from outside, asked every {:.6g} s, drove {}: it is not part of the model "
+                     "file, which alone does not give these results again.",
+                     machine.interval, machine.words)});
   }
   return list;
 }

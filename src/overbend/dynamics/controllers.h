@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "dynamics/controller.h"
 #include "model/model.h"
@@ -58,7 +59,7 @@ class Controllers {
   void command(const std::string& machine, const MachineCommand& command, System& system, SystemState& state);
 
   /// What a reader of the results has to know of the controllers.
-  std::vector<std::string> assumptions() const;
+  Assumptions assumptions() const;
   Findings findings(const System& system) const;
 
   void save(const System& system, DynamicCheckpoint& checkpoint) const;

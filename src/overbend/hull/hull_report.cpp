@@ -88,9 +88,10 @@ void tell_waves(const Hull& hull, const CoupledHullDescription& given, const Wav
          "vessel.motion.coupled.wave_drift says"});
   }
   if (sea.calm() || hull.waves.drift != WaveDrift::newman) return;
-  out.assumptions.push_back(
-      "The slow drift is by Newman's approximation: mean drift coefficients alone, no set-down under wave groups, none "
-      "in heave, roll and pitch.");
+  out.assumptions.push_back({AssumptionRank::other,
+                             "The slow drift is by Newman's approximation: mean drift coefficients alone, no set-down "
+                             "under wave groups, none "
+                             "in heave, roll and pitch."});
   const double shallowness = peak_wave_number(waves, sea) * sea.depth;
   if (shallowness < 1.0) {
     char text[32];

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "hull/damping_ratios.h"
 #include "hull/make_hull.h"
@@ -20,7 +21,7 @@ struct HullReport {
   /// water to 1.2 (sharp edges in two dimensions) [N]; zero where the current is by a table or there is none.
   double current_now = 0.0, current_least = 0.0, current_most = 0.0;
   SteadyForces steady;  ///< With the hull as drawn, the mean drift included.
-  std::vector<std::string> assumptions;
+  Assumptions assumptions;
   Findings findings;  ///< Plain sentences.
 };
 

@@ -35,28 +35,29 @@ std::string coated_stiffnesses(const PipeDescription& pipe) {
   return fmt::format("{:.3g}{}", main, others.empty() ? "" : " (" + others + ")");
 }
 
-void assume_pipe(std::vector<std::string>& list, const Model& model) {
+void assume_pipe(Assumptions& list, const Model& model) {
   const Section& pipe = model.sections.front();
   const std::string stiff = coated_stiffnesses(model.description.pipe);
-  list.push_back(stiff.empty()
-                     ? "EA and EI are those of the steel only; coatings add weight, not stiffness."
-                     : fmt::format("EA is that of the steel only. EI is also that of the steel, except for the coated "
-                                   "pipe between the field joints over the supports and three joints beyond, which is "
-                                   "{} times as stiff; stress is that in the steel.",
-                                   stiff));
-  for (const std::string& text : material_assumptions(model)) list.push_back(text);
+  list.push_back({AssumptionRank::governing,
+                  stiff.empty() ? "EA and EI are those of the steel only; coatings add weight, not stiffness."
+                                : fmt::format("EA is that of the steel only. EI is also that of the steel, except for "
+                                              "the coated pipe between the field joints over the supports and three "
+                                              "joints beyond, which is {} times as stiff; stress is that in the steel.",
+                                              stiff)});
+  list = merge(std::move(list), material_assumptions(model));
   if (model.description.pipe.section.joint) {
-    list.push_back(
-        "Field-joint infill replaces the outermost coating over part of each pipe joint; weight is averaged along the "
-        "joint.");
+    list.push_back({AssumptionRank::other,
+                    "Field-joint infill replaces the outermost coating over part of each pipe joint; weight is "
+                    "averaged along the joint."});
   }
   if (pipe.contents_weight_density == 0.0 && pipe.internal_pressure == 0.0) {
-    list.push_back("The pipe is empty, at atmospheric pressure.");
+    list.push_back({AssumptionRank::setting, "The pipe is empty, at atmospheric pressure."});
   }
-  list.push_back(fmt::format(
-      "The weight density of water is {:.4g} kN/m3; external pressure is hydrostatic from the mean water level and "
-      "acts on the outside of the steel: the coating is under pressure on all sides and carries no axial force.",
-      1e-3 * model.water_weight_density));
+  list.push_back({AssumptionRank::setting,
+                  fmt::format("The weight density of water is {:.4g} kN/m3; external pressure is hydrostatic from the "
+                              "mean water level and acts on the outside of the steel: the coating is under pressure on "
+                              "all sides and carries no axial force.",
+                              1e-3 * model.water_weight_density)});
 }
 
 const char* bed_words(const Model& model) {
@@ -68,40 +69,38 @@ const char* bed_words(const Model& model) {
   if (bed.bathymetry) {
     return bed.bathymetry->columns > 0
                ? "; the seabed is bicubic between the depths of its grid, level beyond its edges"
-               : "; the seabed is bicubic on a grid of planes fitted to the scattered depths, "
-                 "level beyond its edges";
+               : "; the seabed is bicubic on a grid of planes fitted to the scattered depths, level beyond its edges";
   }
   return bed.slope == 0.0 ? "; the seabed is horizontal" : "; the seabed is a sloping plane";
 }
 
-void assume_vessel(std::vector<std::string>& list, const Model& model) {
+void assume_vessel(Assumptions& list, const Model& model) {
   const VesselDescription& vessel = model.description.vessel;
   if (model.description.has_pipe) {
-    list.push_back(fmt::format(
-        "The stern shoe, origin of ramp and stinger, is at x = {:.3f} m from midship and {:.3f} m above the "
-        "mean water level.",
-        vessel.stern_shoe_x, vessel.stern_shoe_z));
+    list.push_back({AssumptionRank::setting, fmt::format("The stern shoe, origin of ramp and stinger, is at x = {:.3f} "
+                                                         "m from midship and {:.3f} m above the mean water level.",
+                                                         vessel.stern_shoe_x, vessel.stern_shoe_z)});
   }
   if (vessel.trim == 0.0 && vessel.heel == 0.0) {
-    list.push_back("The vessel floats on even keel, without static trim or heel.");
+    list.push_back({AssumptionRank::setting, "The vessel floats on even keel, without static trim or heel."});
   } else {
-    list.push_back(
-        fmt::format("The vessel is trimmed {:.2f} deg (bow up) and heeled {:.2f} deg (starboard down) about midship at "
-                    "the water line.",
-                    degrees(vessel.trim), degrees(vessel.heel)));
+    list.push_back({AssumptionRank::setting, fmt::format("The vessel is trimmed {:.2f} deg (bow up) and heeled {:.2f} "
+                                                         "deg (starboard down) about midship at the water line.",
+                                                         degrees(vessel.trim), degrees(vessel.heel))});
   }
-  list.push_back(fmt::format("Water depth {:.2f} m applies at {}{}.", model.description.environment.water_depth,
-                             model.description.has_pipe ? "the stern shoe" : "the vessel", bed_words(model)));
+  list.push_back({AssumptionRank::setting,
+                  fmt::format("Water depth {:.2f} m applies at {}{}.", model.description.environment.water_depth,
+                              model.description.has_pipe ? "the stern shoe" : "the vessel", bed_words(model))});
 }
 
-void assume_motion(std::vector<std::string>& list, const Model& model) {
+void assume_motion(Assumptions& list, const Model& model) {
   const VesselDescription& vessel = model.description.vessel;
   if (!vessel.raos) return;
   const Vec3& p = vessel.raos->reference_V;
-  list.push_back(
-      fmt::format("The vessel moves by linear RAOs ({}) of the point {:.3f} m forward of midship, {:.3f} m to port and "
-                  "{:.3f} m above the water; the pipe does not act back on it.",
-                  vessel.raos->source, p.x(), p.y(), p.z()));
+  list.push_back({AssumptionRank::governing,
+                  fmt::format("The vessel moves by linear RAOs ({}) of the point {:.3f} m forward of midship, {:.3f} m "
+                              "to port and {:.3f} m above the water; the pipe does not act back on it.",
+                              vessel.raos->source, p.x(), p.y(), p.z())});
   list.insert(list.end(), vessel.raos->assumptions.begin(), vessel.raos->assumptions.end());
 }
 
@@ -110,7 +109,7 @@ std::string part_words(double stiffness) {
 }
 
 /// One sentence for every stiffness that the program chose.
-void assume_contact_stiffness(std::vector<std::string>& list, const Model& model) {
+void assume_contact_stiffness(Assumptions& list, const Model& model) {
   std::vector<double> told;
   bool penalty = false;
   for (const Roller& roller : model.supports.rollers) {
@@ -122,129 +121,138 @@ void assume_contact_stiffness(std::vector<std::string>& list, const Model& model
     }
     told.push_back(roller.stiffness);
     const ContactStiffness parts = model.contact_parts(roller);
-    list.push_back(fmt::format(
-        "Contact of '{}' with a roller of {:.3g} m face and no given stiffness: {:.3g} MN/m, from pipe shell {} "
-        "(Morley's equation, load on a line across the pipe), coating {} and roller structure {} in series. Impact "
-        "forces are roughly proportional to its cube root.",
-        model.section_over(roller).name, roller.face, 1e-6 * parts.total(), part_words(parts.shell),
-        part_words(parts.coating), part_words(parts.structure)));
+    list.push_back(
+        {AssumptionRank::governing,
+         fmt::format("Contact of '{}' with a roller of {:.3g} m face and no given stiffness: {:.3g} MN/m, from pipe "
+                     "shell {} (Morley's equation, load on a line across the pipe), coating {} and roller structure {} "
+                     "in series. Impact forces are roughly proportional to its cube root.",
+                     model.section_over(roller).name, roller.face, 1e-6 * parts.total(), part_words(parts.shell),
+                     part_words(parts.coating), part_words(parts.structure))});
   }
   if (penalty) {
-    list.push_back(
-        "Contact with rollers of default_stiffness: penalty has the bending stiffness of a piece of pipe as long as it "
-        "is thick, EI/D^3; "
-        "the largest penetration is reported.");
+    list.push_back({AssumptionRank::other,
+                    "Contact with rollers of default_stiffness: penalty has the bending stiffness of a piece of pipe "
+                    "as long as it is thick, EI/D^3; the largest penetration is reported."});
   }
 }
 
-void assume_structures(std::vector<std::string>& list, const Model& model) {
+void assume_structures(Assumptions& list, const Model& model) {
   for (const Section& section : model.sections) {
     if (section.kind != SectionKind::structure) continue;
-    list.push_back(fmt::format(
-        "'{}' is a stretch of the line with an even stiffness, weight and diameter and linear steel; its own "
-        "stresses are not checked. Rollers stand as they do for the pipe, with the contact stiffness of the "
-        "pipe.",
-        section.name));
+    list.push_back(
+        {AssumptionRank::other,
+         fmt::format(
+             "'{}' is a stretch of the line with an even stiffness, weight and diameter and linear steel; its own "
+             "stresses are not checked. Rollers stand as they do for the pipe, with the contact stiffness of the pipe.",
+             section.name)});
   }
 }
 
-void assume_gap_springs(std::vector<std::string>& list, const Model& model) {
-  list.push_back(
-      "Each roller box is one gap spring at its middle instead of its rollers, as in traditional models: it supports "
-      "the pipe at the box's point, without damping and friction.");
+void assume_gap_springs(Assumptions& list, const Model& model) {
+  list.push_back({AssumptionRank::governing,
+                  "Each roller box is one gap spring at its middle instead of its rollers, as in traditional models: "
+                  "it supports the pipe at the box's point, without damping and friction."});
   const auto is_side = [](const Roller& roller) { return roller.position != RollerPosition::bottom; };
   if (std::any_of(model.supports.rollers.begin(), model.supports.rollers.end(), is_side)) {
     list.push_back(
-        "To either side a gap spring acts laterally once the pipe has moved by the clearance of the side rollers.");
+        {AssumptionRank::other,
+         "To either side a gap spring acts laterally once the pipe has moved by the clearance of the side rollers."});
   }
   assume_contact_stiffness(list, model);
 }
 
-void assume_supports(std::vector<std::string>& list, const Model& model) {
+void assume_supports(Assumptions& list, const Model& model) {
   if (model.supports.boxes.empty()) {
-    list.push_back("No supports: the pipe hangs directly from the tensioner (J-lay).");
+    list.push_back({AssumptionRank::other, "No supports: the pipe hangs directly from the tensioner (J-lay)."});
     return;
   }
-  list.push_back(
-      "The X, Z of a roller box is the point where the underside of the coated pipe rests; the X, Z of the tensioner "
-      "is the pipe's axis.");
-  list.push_back(
-      "A box without a given inclination is aligned with the tangent of the circle through its point and those of its "
-      "neighbours.");
+  list.push_back({AssumptionRank::other,
+                  "The X, Z of a roller box is the point where the underside of the coated pipe rests; the X, Z of the "
+                  "tensioner is the pipe's axis."});
+  list.push_back({AssumptionRank::other,
+                  "A box without a given inclination is aligned with the tangent of the circle through its point and "
+                  "those of its neighbours."});
   if (model.description.supports.contact == SupportContact::gap_springs) {
     assume_gap_springs(list, model);
     return;
   }
   const RollerFriction friction = model.description.statics.roller_friction;
   if (friction == RollerFriction::none) {
-    list.push_back(
-        "Rollers are rigid cylinders of finite length; in statics they are frictionless: the pipe moves over them "
-        "during laying and friction has no permanent direction.");
+    list.push_back({AssumptionRank::governing,
+                    "Rollers are rigid cylinders of finite length; in statics they are frictionless: the pipe moves "
+                    "over them during laying and friction has no permanent direction."});
   } else {
-    list.push_back(fmt::format(
-        "Rollers are rigid cylinders of finite length; in statics full friction acts along the pipe, against its way "
-        "as it is {}.",
-        friction == RollerFriction::lay ? "paid out" : "hauled in"));
+    list.push_back({AssumptionRank::other, fmt::format("Rollers are rigid cylinders of finite length; in statics full "
+                                                       "friction acts along the pipe, against its way as it is {}.",
+                                                       friction == RollerFriction::lay ? "paid out" : "hauled in")});
   }
   assume_contact_stiffness(list, model);
 }
 
-void assume_seabed(std::vector<std::string>& list, const Model& model) {
-  list.push_back(fmt::format("The seabed stiffness is {:.4g} kN/m per metre of pipe and penetration, without adhesion.",
-                             1e-3 * model.seabed.stiffness));
+void assume_seabed(Assumptions& list, const Model& model) {
+  list.push_back(
+      {AssumptionRank::setting,
+       fmt::format("The seabed stiffness is {:.4g} kN/m per metre of pipe and penetration, without adhesion.",
+                   1e-3 * model.seabed.stiffness)});
   if (model.description.environment.seabed.soil != SoilModel::linear) {
-    list.push_back(fmt::format(
-        "The soil softens {} {:.4g} kN/m (environment.seabed.soil) and follows one curve down and "
-        "up: no trench, no suction.",
-        model.description.environment.seabed.soil == SoilModel::hyperbolic ? "along a hyperbola towards"
-                                                                           : "to a tenth of its stiffness at",
-        1e-3 * model.description.environment.seabed.bearing_force.value_or(0.0)));
+    list.push_back(
+        {AssumptionRank::other, fmt::format("The soil softens {} {:.4g} kN/m (environment.seabed.soil) and follows one "
+                                            "curve down and up: no trench, no suction.",
+                                            model.description.environment.seabed.soil == SoilModel::hyperbolic
+                                                ? "along a hyperbola towards"
+                                                : "to a tenth of its stiffness at",
+                                            1e-3 * model.description.environment.seabed.bearing_force.value_or(0.0))});
   }
-  list.push_back("The laid pipe rests under the lay tension: axial friction is not mobilised in statics.");
+  list.push_back({AssumptionRank::governing,
+                  "The laid pipe rests under the lay tension: axial friction is not mobilised in statics."});
   if (model.seabed.friction_lateral > 0.0) {
+    list.push_back({AssumptionRank::other,
+                    "Lateral friction resists displacement from the lay route: elastic with the stiffness of the "
+                    "seabed, up to the coefficient times the normal force."});
     list.push_back(
-        "Lateral friction resists displacement from the lay route: elastic with the stiffness of the seabed, up to the "
-        "coefficient times the normal force.");
-    list.push_back(
-        model.description.statics.laying == Laying::steady
-            ? "Steady laying: the pipe on the seabed lies beside the lay route by as much as it first touches the "
-              "seabed there, and stays; a current's side load goes to the supports."
-            : "The pipe was laid straight on the lay route first and pulled aside by the side load afterwards.");
+        {AssumptionRank::other,
+         model.description.statics.laying == Laying::steady
+             ? "Steady laying: the pipe on the seabed lies beside the lay route by as much as it first touches the "
+               "seabed there, and stays; a current's side load goes to the supports."
+             : "The pipe was laid straight on the lay route first and pulled aside by the side load afterwards."});
   }
-  list.push_back(model.description.route.given()
-                     ? "The lay route bends in plan as given; the barge heads along its beginning, and the pipe was "
-                       "laid along it under the bottom tension of this state."
-                     : "The lay route is the vertical plane through the tensioner along the vessel's axis.");
+  list.push_back({AssumptionRank::other,
+                  model.description.route.given()
+                      ? "The lay route bends in plan as given; the barge heads along its beginning, and the pipe was "
+                        "laid along it under the bottom tension of this state."
+                      : "The lay route is the vertical plane through the tensioner along the vessel's axis."});
 }
 
-void assume_tensioner(std::vector<std::string>& list, const Model& model) {
+void assume_tensioner(Assumptions& list, const Model& model) {
   const TensionerDescription& tensioner = model.description.tensioner;
   if (tensioner.tension) {
     list.push_back(
-        fmt::format("The tension of {:.4g} kN is the effective tension at the tensioner.", 1e-3 * *tensioner.tension));
+        {AssumptionRank::setting, fmt::format("The tension of {:.4g} kN is the effective tension at the tensioner.",
+                                              1e-3 * *tensioner.tension)});
   }
   if (tensioner.guide == Guide::clamped) {
-    list.push_back(fmt::format("The tensioner holds the pipe's direction, {:.2f} deg below horizontal astern.",
-                               degrees(tensioner.incline) + 0.0));
+    list.push_back({AssumptionRank::setting,
+                    fmt::format("The tensioner holds the pipe's direction, {:.2f} deg below horizontal astern.",
+                                degrees(tensioner.incline) + 0.0)});
   } else {
-    list.push_back("The pipe is free to rotate at the tensioner.");
+    list.push_back({AssumptionRank::other, "The pipe is free to rotate at the tensioner."});
   }
 }
 
 /// The stage of an operation that the model is at, and what its cable is.
-void assume_stage(std::vector<std::string>& list, const Description& d) {
+void assume_stage(Assumptions& list, const Description& d) {
   if (!d.stage) return;
-  list.push_back("The model is at " + stage_words(*d.stage, d.operation.type) + ".");
+  list.push_back({AssumptionRank::other, "The model is at " + stage_words(*d.stage, d.operation.type) + "."});
   if (!cable_at_top(d) && !cable_at_far_end(d)) return;
-  list.emplace_back(
-      "The cable has no bending stiffness and is hinged to the head; the head's weight is spread evenly over its "
-      "length.");
+  list.push_back({AssumptionRank::other,
+                  "The cable has no bending stiffness and is hinged to the head; the head's weight is spread evenly "
+                  "over its length."});
 }
 
 }  // namespace
 
-std::vector<std::string> assumptions(const Model& model) {
-  std::vector<std::string> list;
+Assumptions assumptions(const Model& model) {
+  Assumptions list;
   if (!model.description.has_pipe) {
     const bool vessel = model.description.moorings || model.description.vessel.coupled;
     if (vessel) assume_vessel(list, model);
@@ -263,8 +271,9 @@ std::vector<std::string> assumptions(const Model& model) {
   assume_seabed(list, model);
   if (!model.current.z.empty()) {
     list.push_back(
-        "The current is steady; drag is from Morison's equation with normal and axial coefficients on the outermost "
-        "diameter; the velocity vector is interpolated between the rows of the table and constant beyond its ends.");
+        {AssumptionRank::setting,
+         "The current is steady; drag is from Morison's equation with normal and axial coefficients on the outermost "
+         "diameter; the velocity vector is interpolated between the rows of the table and constant beyond its ends."});
   }
   if (model.description.dynamics) {
     assume_dynamics(list, model);

@@ -12,18 +12,16 @@
 namespace overbend {
 namespace {
 
-using Sentences = std::vector<std::string>;
-
-void assume_time(Sentences& list, const DynamicSettings& settings) {
+void assume_time(Assumptions& list, const DynamicSettings& settings) {
   if (settings.build_up > 0.0) {
-    list.push_back(
-        fmt::format("Waves and vessel motion are ramped up by half a cosine over the {:.4g} s before t = 0; statistics "
-                    "start at t = 0.",
-                    settings.build_up));
+    list.push_back({AssumptionRank::setting, fmt::format("Waves and vessel motion are ramped up by half a cosine over "
+                                                         "the {:.4g} s before t = 0; statistics start at t = 0.",
+                                                         settings.build_up)});
   } else {
-    list.push_back("Waves and vessel motion start at full amplitude at t = 0, without build-up.");
+    list.push_back(
+        {AssumptionRank::setting, "Waves and vessel motion start at full amplitude at t = 0, without build-up."});
   }
-  list.push_back("The current is that of the static analysis at all times.");
+  list.push_back({AssumptionRank::other, "The current is that of the static analysis at all times."});
 }
 
 std::string seed_words(const WavesDescription& waves, const DynamicSettings& settings) {
@@ -48,107 +46,116 @@ std::string spectrum_words(const WavesDescription& waves) {
   }
 }
 
-void assume_sea(Sentences& list, const WavesDescription& waves, const DynamicSettings& settings) {
-  list.push_back(fmt::format("The sea has {}.", spectrum_words(waves)));
-  list.push_back(fmt::format(
-      "It is the sum of {} linear waves with random frequencies and phases, {}{}.", waves.components,
-      seed_words(waves, settings),
-      waves.spreading
-          ? fmt::format(", with directional spreading cos^2s of half the angle, s = {:.4g}", *waves.spreading)
-          : ", all in one direction"));
+void assume_sea(Assumptions& list, const WavesDescription& waves, const DynamicSettings& settings) {
+  list.push_back({AssumptionRank::setting, fmt::format("The sea has {}.", spectrum_words(waves))});
+  list.push_back(
+      {AssumptionRank::setting,
+       fmt::format("It is the sum of {} linear waves with random frequencies and phases, {}{}.", waves.components,
+                   seed_words(waves, settings),
+                   waves.spreading ? fmt::format(", with directional spreading cos^2s of half the angle, s = {:.4g}",
+                                                 *waves.spreading)
+                                   : ", all in one direction")});
 }
 
-void assume_waves(Sentences& list, const Model& model, const DynamicSettings& settings) {
+void assume_waves(Assumptions& list, const Model& model, const DynamicSettings& settings) {
   const WavesDescription& waves = model.description.environment.waves;
   if (waves.type == WaveType::none) {
-    list.push_back("There are no waves.");
+    list.push_back({AssumptionRank::governing, "There are no waves."});
     return;
   }
   if (waves.type == WaveType::stokes5) {
-    list.push_back("The regular wave follows Stokes' fifth-order theory, with zero mean Eulerian current.");
+    list.push_back({AssumptionRank::setting,
+                    "The regular wave follows Stokes' fifth-order theory, with zero mean Eulerian current."});
   } else {
     if (waves.type == WaveType::airy) {
-      list.push_back("The regular wave is linear.");
+      list.push_back({AssumptionRank::setting, "The regular wave is linear."});
     } else {
       assume_sea(list, waves, settings);
     }
-    list.push_back("The kinematics of linear waves are extended to the surface by Wheeler stretching.");
+    list.push_back(
+        {AssumptionRank::other, "The kinematics of linear waves are extended to the surface by Wheeler stretching."});
   }
-  list.push_back(fmt::format(
-      "The waves are those of a constant water depth, that at the stern shoe, {:.2f} m; pipe and vessel do not "
-      "disturb them.",
-      model.description.environment.water_depth));
+  list.push_back({AssumptionRank::other, fmt::format("The waves are those of a constant water depth, that at the stern "
+                                                     "shoe, {:.2f} m; pipe and vessel do not disturb them.",
+                                                     model.description.environment.water_depth)});
 }
 
-void assume_vessel_motion(Sentences& list, const VesselDescription& vessel) {
-  static const std::map<VesselMotion, const char*> kWords{
-      {VesselMotion::fixed, "The vessel does not move."},
-      {VesselMotion::harmonic, "The vessel moves harmonically as given, independently of the waves."},
-      {VesselMotion::history, "The vessel moves as recorded, independently of the waves."},
+void assume_vessel_motion(Assumptions& list, const VesselDescription& vessel) {
+  static const std::map<VesselMotion, Assumption> kSaid{
+      {VesselMotion::fixed, {AssumptionRank::governing, "The vessel does not move."}},
+      {VesselMotion::harmonic,
+       {AssumptionRank::setting, "The vessel moves harmonically as given, independently of the waves."}},
+      {VesselMotion::history, {AssumptionRank::setting, "The vessel moves as recorded, independently of the waves."}},
   };
-  const auto words = kWords.find(vessel.motion);
-  if (words != kWords.end()) {
-    list.push_back(words->second);
-  }
+  const auto said = kSaid.find(vessel.motion);
+  if (said != kSaid.end()) list.push_back(said->second);
   if (vessel.history && vessel.history->passages > 0) {
-    list.push_back(fmt::format(
-        "The recorded angles pass from one end of the circle to the other {} times; they are made continuous.",
-        vessel.history->passages));
+    list.push_back(
+        {AssumptionRank::other,
+         fmt::format(
+             "The recorded angles pass from one end of the circle to the other {} times; they are made continuous.",
+             vessel.history->passages)});
   }
 }
 
-void assume_water_forces(Sentences& list, const Model& model) {
+void assume_water_forces(Assumptions& list, const Model& model) {
   const Section& pipe = model.sections.front();
-  list.push_back(
-      fmt::format("Morison's coefficients do not depend on speed, frequency or distance from the seabed: drag {:.3g} "
-                  "normal and {:.3g} axial, added mass {:.3g} normal and {:.3g} axial.",
-                  pipe.drag_normal, pipe.drag_axial, pipe.added_mass_normal, pipe.added_mass_axial));
+  list.push_back({AssumptionRank::setting,
+                  fmt::format("Morison's coefficients do not depend on speed, frequency or distance from the seabed: "
+                              "drag {:.3g} normal and {:.3g} axial, added mass {:.3g} normal and {:.3g} axial.",
+                              pipe.drag_normal, pipe.drag_axial, pipe.added_mass_normal, pipe.added_mass_axial)});
 }
 
-void assume_rollers(Sentences& list, const Model& model, const DynamicSettings& settings) {
+void assume_rollers(Assumptions& list, const Model& model, const DynamicSettings& settings) {
   if (model.supports.rollers.empty()) {
     return;
   }
   if (model.description.supports.contact == SupportContact::rollers) {
     list.push_back(
-        "Hard impacts amplify the smallest differences: the largest force of a single impact, and its effect on "
-        "tension and stress, are valid for this run only. Means are reproducible; several seeds show the scatter.");
+        {AssumptionRank::governing,
+         "Hard impacts amplify the smallest differences: the largest force of a single impact, and its effect on "
+         "tension and stress, are valid for this run only. Means are reproducible; several seeds show the scatter."});
     bool textbook = false, tenth = false;
     for (const Roller& roller : model.supports.rollers) {
       textbook = textbook || roller.damping == RollerDamping::textbook;
       tenth = tenth || roller.tangential_stiffness <= 0.0;
     }
     list.push_back(
-        "Roller damping follows from the coefficient of restitution and the participating mass, that of 2.5 "
-        "(EI/k)^(1/3) of pipe, which bending waves reach during the contact, with added mass under water.");
+        {AssumptionRank::other,
+         "Roller damping follows from the coefficient of restitution and the participating mass, that of 2.5 "
+         "(EI/k)^(1/3) of pipe, which bending waves reach during the contact, with added mass under water."});
     if (textbook) {
-      list.push_back(
-          "For rollers with textbook damping, rebounds are faster than the coefficient of restitution, because no "
-          "roller pulls the pipe back.");
+      list.push_back({AssumptionRank::other,
+                      "For rollers with textbook damping, rebounds are faster than the coefficient of restitution, "
+                      "because no roller pulls the pipe back."});
     }
     if (tenth) {
-      list.push_back(fmt::format(
-          "The tangential stiffness of a roller, if not given, is {:.3g} of the normal stiffness.", kTangentialShare));
+      list.push_back(
+          {AssumptionRank::other,
+           fmt::format("The tangential stiffness of a roller, if not given, is {:.3g} of the normal stiffness.",
+                       kTangentialShare)});
     }
-    list.push_back(model.description.statics.roller_friction == RollerFriction::none
-                       ? "Roller friction acts in the dynamic analysis, but not in the static initial state: it is "
-                         "mobilised by the motion only."
-                       : "Roller friction acts in the dynamic analysis. It begins as statics have it, full along the "
-                         "pipe, and follows the motion from there.");
+    list.push_back({AssumptionRank::other, model.description.statics.roller_friction == RollerFriction::none
+                                               ? "Roller friction acts in the dynamic analysis, but not in the static "
+                                                 "initial state: it is mobilised by the motion only."
+                                               : "Roller friction acts in the dynamic analysis. It begins as statics "
+                                                 "have it, full along the pipe, and follows the motion from there."});
   }
   if (settings.impacts == ImpactTreatment::captured) {
     list.push_back(
-        "Impacts are captured, not resolved: steps stay long, rebounds are damped out, and the peak force is that of "
-        "the participating mass on an undamped roller plus what the roller bears after the step. Stresses, and the "
-        "histories, percentiles and extremes over hours of reactions, are those at the ends of steps, without these "
-        "peaks. For screening: 'overbend compare --of impacts' tells the difference.");
+        {AssumptionRank::governing,
+         "Impacts are captured, not resolved: steps stay long, rebounds are damped out, and the peak force is that of "
+         "the participating mass on an undamped roller plus what the roller bears after the step. Stresses, and the "
+         "histories, percentiles and extremes over hours of reactions, are those at the ends of steps, without these "
+         "peaks. For screening: 'overbend compare --of impacts' tells the difference."});
   }
-  list.push_back(fmt::format("Impacts weaker than {:.4g} kN are neither {} nor recorded.",
-                             1e-3 * settings.impact_force.value_or(step_scales(model).force),
-                             settings.impacts == ImpactTreatment::captured ? "counted" : "resolved"));
   list.push_back(
-      "Dents follow from the relation of DNV-RP-F107 for bare steel, which neglects the effects of coatings, pressure, "
-      "tension and bending.");
+      {AssumptionRank::setting, fmt::format("Impacts weaker than {:.4g} kN are neither {} nor recorded.",
+                                            1e-3 * settings.impact_force.value_or(step_scales(model).force),
+                                            settings.impacts == ImpactTreatment::captured ? "counted" : "resolved")});
+  list.push_back({AssumptionRank::other,
+                  "Dents follow from the relation of DNV-RP-F107 for bare steel, which neglects the effects of "
+                  "coatings, pressure, tension and bending."});
 }
 
 std::string machine_words(const TensionerDescription& t) {
@@ -170,66 +177,71 @@ bool follows_axial_vibrations(const DynamicSettings& settings) {
   return settings.step.value_or(settings.max_step.value_or(1.0)) <= kShort;
 }
 
-void assume_held_top(Sentences& list, const TensionerDescription& tensioner, const DynamicSettings& settings) {
+void assume_held_top(Assumptions& list, const TensionerDescription& tensioner, const DynamicSettings& settings) {
   switch (tensioner.mode) {
     case TensionerMode::controlled:
-      list.push_back(machine_words(tensioner));
+      list.push_back({AssumptionRank::setting, machine_words(tensioner)});
       list.push_back(
-          "During the build-up the speed limit of the tensioner is reduced by the same factor as the waves.");
+          {AssumptionRank::other,
+           "During the build-up the speed limit of the tensioner is reduced by the same factor as the waves."});
       if (!follows_axial_vibrations(settings)) {
         list.push_back(
-            "The time integration damps vibrations along the pipe that its steps do not follow, and they make a "
-            "machine "
-            "act more often: in the BGL-1 example in a regular wave, steps of at most 20 ms "
-            "(analysis.dynamic.max_step) raise the largest tension by 2 % and its standard deviation by 3 to 8 %.");
+            {AssumptionRank::other,
+             "The time integration damps vibrations along the pipe that its steps do not follow, and they make a "
+             "machine act more often: in the BGL-1 example in a regular wave, steps of at most 20 ms "
+             "(analysis.dynamic.max_step) raise the largest tension by 2 % and its standard deviation by 3 to 8 %."});
       }
       break;
     case TensionerMode::constant:
-      list.push_back(
-          "The tensioner keeps the tension constant, without mass, friction, delay or limit: an ideal machine for "
-          "comparison.");
+      list.push_back({AssumptionRank::governing,
+                      "The tensioner keeps the tension constant, without mass, friction, delay or limit: an ideal "
+                      "machine for comparison."});
       break;
     case TensionerMode::locked:
-      list.push_back("In the dynamic analysis the tensioner is a locked brake that moves with the vessel.");
+      list.push_back({AssumptionRank::governing,
+                      "In the dynamic analysis the tensioner is a locked brake that moves with the vessel."});
       return;
   }
-  list.push_back(
-      "Pay-out moves the top end of the pipe along the guide; mass and weight of the pipe behind the tensioner are "
-      "neglected.");
+  list.push_back({AssumptionRank::other,
+                  "Pay-out moves the top end of the pipe along the guide; mass and weight of the pipe behind the "
+                  "tensioner are neglected."});
 }
 
 /// Each section has its own law.
-void assume_steel(Sentences& list, const Model& model) {
+void assume_steel(Assumptions& list, const Model& model) {
   const auto yields = [](const Section& section) { return section.bending.has_value(); };
   const bool any = std::any_of(model.sections.begin(), model.sections.end(), yields);
   if (any) {
-    list.push_back(
-        "Yielding in the dynamic analysis continues from the plastic state of the static analysis; its dissipation is "
-        "part of the energy balance.");
+    list.push_back({AssumptionRank::other,
+                    "Yielding in the dynamic analysis continues from the plastic state of the static analysis; its "
+                    "dissipation is part of the energy balance."});
   }
   if (!std::all_of(model.sections.begin(), model.sections.end(), yields)) {
-    list.push_back(
-        any ? "Sections of linear steel stay linear in the dynamic analysis: their stress beyond yield is reported, "
-              "not limited."
-            : "The steel stays linear in the dynamic analysis as well: stress beyond yield is reported, not limited.");
+    list.push_back(any ? Assumption{AssumptionRank::other,
+                                    "Sections of linear steel stay linear in the dynamic analysis: their stress beyond "
+                                    "yield is reported, not limited."}
+                       : Assumption{AssumptionRank::governing,
+                                    "The steel stays linear in the dynamic analysis as well: stress beyond yield is "
+                                    "reported, not limited."});
   }
 }
 
-void assume_laid_pipe(Sentences& list, const Model& model) {
+void assume_laid_pipe(Assumptions& list, const Model& model) {
   if (model.description.pipe.length) return;
   if (model.seabed.surface.shape() != nullptr) {
-    list.emplace_back("On an uneven seabed the laid pipe is held at the end of the static line.");
+    list.push_back({AssumptionRank::other, "On an uneven seabed the laid pipe is held at the end of the static line."});
     return;
   }
   list.push_back(
-      model.seabed.friction_axial > 0.0
-          ? "The laid pipe is extended behind the static line by the length over which axial friction balances the "
-            "tension at the tensioner, 3 km at most."
-          : "The seabed has no axial friction: the laid pipe is held at the end of the static line, and changes of "
-            "tension depend on that length (give environment.seabed.friction to have it determined).");
+      {AssumptionRank::other,
+       model.seabed.friction_axial > 0.0
+           ? "The laid pipe is extended behind the static line by the length over which axial friction balances the "
+             "tension at the tensioner, 3 km at most."
+           : "The seabed has no axial friction: the laid pipe is held at the end of the static line, and changes of "
+             "tension depend on that length (give environment.seabed.friction to have it determined)."});
 }
 
-void assume_turning_stinger(Sentences& list, const SupportsDescription& supports) {
+void assume_turning_stinger(Assumptions& list, const SupportsDescription& supports) {
   bool floats = false, stops = false;
   for (const StingerSectionDescription& section : supports.sections) {
     floats = floats || (section.floats() && !section.angle);
@@ -238,20 +250,20 @@ void assume_turning_stinger(Sentences& list, const SupportsDescription& supports
   if (!floats) {
     return;
   }
-  list.push_back(
-      "The stinger turns on its hinges in time. Its tanks are strips with buoyancy up to the surface at the instant "
-      "and "
-      "Morison's forces across them; the current on them is brought in with the waves. Ballast water does not move in "
-      "its tank; slamming, and the waves that tanks make, are left out.");
+  list.push_back({AssumptionRank::other,
+                  "The stinger turns on its hinges in time. Its tanks are strips with buoyancy up to the surface at "
+                  "the instant and Morison's forces across them; the current on them is brought in with the waves. "
+                  "Ballast water does not move in its tank; slamming, and the waves that tanks make, are left out."});
   if (stops) {
     list.push_back(
-        "Stops of the stinger are springs with 5 % of critical damping: it rebounds with some 85 % of its speed.");
+        {AssumptionRank::other,
+         "Stops of the stinger are springs with 5 % of critical damping: it rebounds with some 85 % of its speed."});
   }
 }
 
 }  // namespace
 
-void assume_dynamics(Sentences& list, const Model& model) {
+void assume_dynamics(Assumptions& list, const Model& model) {
   const DynamicSettings settings = model.description.dynamics.value_or(DynamicSettings{});
   assume_time(list, settings);
   assume_waves(list, model, settings);

@@ -50,34 +50,40 @@ std::string material_words(const SteelDescription& steel) {
   return "";
 }
 
-std::vector<std::string> material_assumptions(const Model& model) {
-  std::vector<std::string> list;
+Assumptions material_assumptions(const Model& model) {
+  Assumptions list;
   for (std::size_t i = 0; i < model.sections.size(); ++i) {
-    list.push_back(fmt::format("Steel of section '{}': {}{}.", model.sections[i].name,
-                               material_words(model.description_of(i).steel), fit_words(model.sections[i])));
+    const SteelDescription& steel = model.description_of(i).steel;
+    const bool linear = steel.material.law == MaterialLaw::linear;
+    list.push_back({linear ? AssumptionRank::governing : AssumptionRank::setting,
+                    fmt::format("Steel of section '{}': {}{}.", model.sections[i].name, material_words(steel),
+                                fit_words(model.sections[i]))});
   }
   const auto& sections = model.sections;
   if (std::none_of(sections.begin(), sections.end(), [](const Section& s) { return s.bending.has_value(); })) {
     return list;
   }
-  list.push_back(
-      "Steel that has yielded unloads elastically and hardens kinematically, fibre by fibre around the wall; "
-      "axially the pipe stays elastic.");
+  list.push_back({AssumptionRank::other,
+                  "Steel that has yielded unloads elastically and hardens kinematically, fibre by fibre around the "
+                  "wall; axially the pipe stays elastic."});
   if (std::any_of(sections.begin(), sections.end(), [](const Section& s) { return s.bending && s.bending->steel; })) {
+    list.push_back({AssumptionRank::other,
+                    "Moments come from the stress-strain law integrated over the wall, with the static wall tension "
+                    "and hoop stress of the suspended pipe at each elevation; their variation in waves is neglected."});
     list.push_back(
-        "Moments come from the stress-strain law integrated over the wall, with the static wall tension and hoop "
-        "stress of the suspended pipe at each elevation; their variation in waves is neglected.");
-    list.push_back(
-        "Stress of yielded steel is the elastic stress of the moment, limited to the value of the stress-strain curve "
-        "at the maximum curvature so far; residual stresses in the wall are not tracked.");
+        {AssumptionRank::other,
+         "Stress of yielded steel is the elastic stress of the moment, limited to the value of the stress-strain curve "
+         "at the maximum curvature so far; residual stresses in the wall are not tracked."});
   } else {
-    list.push_back("For steel given by a moment curve, stress is the elastic stress of the moment, M D / (2 I).");
+    list.push_back({AssumptionRank::other,
+                    "For steel given by a moment curve, stress is the elastic stress of the moment, M D / (2 I)."});
   }
-  list.push_back(model.description.statics.history == LayHistory::laying
-                     ? "In statics every section has passed the supports from the tensioner and retains its plastic "
-                       "curvature; it does not roll, although pipe with residual curvature tends to."
-                     : "In statics every section is bent directly to its final shape, without the loading history over "
-                       "the supports.");
+  list.push_back({AssumptionRank::governing,
+                  model.description.statics.history == LayHistory::laying
+                      ? "In statics every section has passed the supports from the tensioner and retains its plastic "
+                        "curvature; it does not roll, although pipe with residual curvature tends to."
+                      : "In statics every section is bent directly to its final shape, without the loading history "
+                        "over the supports."});
   return list;
 }
 
@@ -88,10 +94,10 @@ Findings material_findings(const Model& model) {
     if (!section.bending || section.bending->fit_error <= kMaxFitError) continue;
     list.push_back(Finding{
         FindingCode::moment_curvature_fit,
-        fmt::format("the moment-curvature curve of section '{}' is reproduced only within {:.1f} %: moments there are "
-                    "uncertain by as "
-                    "much; give more points where the curve bends, or another law (pipe.steel.material)",
-                    section.name, 100.0 * section.bending->fit_error)}
+        fmt::format(
+            "the moment-curvature curve of section '{}' is reproduced only within {:.1f} %: moments there are "
+            "uncertain by as much; give more points where the curve bends, or another law (pipe.steel.material)",
+            section.name, 100.0 * section.bending->fit_error)}
                        .on(section.name)
                        .with("error", section.bending->fit_error, "1"));
   }

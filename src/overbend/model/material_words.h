@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "model/model.h"
 
@@ -13,7 +14,7 @@ namespace overbend {
 std::string material_words(const SteelDescription& steel);
 
 /// Assumptions on the steel of all sections.
-std::vector<std::string> material_assumptions(const Model& model);
+Assumptions material_assumptions(const Model& model);
 
 /// Warnings about moment-curvature curves that the model reproduces only roughly.
 Findings material_findings(const Model& model);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/vec.h"
 #include "model/bed_surface.h"
 #include "model/contact_stiffness.h"
@@ -93,6 +94,6 @@ Mat3 vessel_axes(double heading, double trim, double heel);
 Vec3 astern_direction(const VesselPose& pose);
 
 /// What had to be assumed: sentences for the report.
-std::vector<std::string> assumptions(const Model& model);
+Assumptions assumptions(const Model& model);
 
 }  // namespace overbend

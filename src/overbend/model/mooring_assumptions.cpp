@@ -8,116 +8,122 @@
 namespace overbend {
 namespace {
 
-using Sentences = std::vector<std::string>;
-
-std::string current_words(const HullCurrentDescription& current) {
+Assumption current_assumption(const HullCurrentDescription& current) {
   switch (current.form) {
     case HullCurrentForm::none:
-      return "The current does not act on the hull.";
+      return {AssumptionRank::other, "The current does not act on the hull."};
     case HullCurrentForm::table:
-      return fmt::format("The current acts on the hull by the table of coefficients {}.", current.table_file);
+      return {AssumptionRank::other,
+              fmt::format("The current acts on the hull by the table of coefficients {}.", current.table_file)};
     case HullCurrentForm::ufc:
-      return "The current acts on the hull by the coefficients of UFC 4-159-03 for a ship or barge of its dimensions; "
-             "sharp edges may double them across, and the offset of the vessel depends on them.";
+      return {AssumptionRank::governing,
+              "The current acts on the hull by the coefficients of UFC 4-159-03 for a ship or barge of its dimensions; "
+              "sharp edges may double them across, and the offset of the vessel depends on them."};
     case HullCurrentForm::strips:
       break;
   }
-  return fmt::format(
-      "The current acts on the hull by strips along its length, with drag coefficients of {:.3g} across and {:.3g} "
-      "along; these are uncertain by half, and the offset of the vessel depends on them.",
-      current.transverse, current.longitudinal);
+  return {
+      AssumptionRank::governing,
+      fmt::format("The current acts on the hull by strips along its length, with drag coefficients of {:.3g} across "
+                  "and {:.3g} along; these are uncertain by half, and the offset of the vessel depends on them.",
+                  current.transverse, current.longitudinal)};
 }
 
-void assume_coupled(Sentences& list, const Model& model) {
+void assume_coupled(Assumptions& list, const Model& model) {
   const CoupledHullDescription& hull = *model.description.vessel.coupled;
-  list.push_back(fmt::format(
-      "The hull is a rigid body of {:.6g} t with radii of gyration of {:.4g}, {:.4g} and {:.4g} m, without products of "
-      "inertia; forces of the water are linear, from {}.",
-      1e-3 * hull.mass, hull.gyration.x(), hull.gyration.y(), hull.gyration.z(), hull.hydrodynamics));
-  list.push_back(hull.ballast == Ballast::trim
-                     ? "Ballast: constant forces keep draught, heel and trim as given with lines and pipe attached."
-                     : "Ballast: the mass is as given, and the hull sinks under the pull of lines and pipe.");
+  list.push_back(
+      {AssumptionRank::setting,
+       fmt::format("The hull is a rigid body of {:.6g} t with radii of gyration of {:.4g}, {:.4g} and {:.4g} m, "
+                   "without products of inertia; forces of the water are linear, from {}.",
+                   1e-3 * hull.mass, hull.gyration.x(), hull.gyration.y(), hull.gyration.z(), hull.hydrodynamics)});
+  list.push_back({AssumptionRank::other,
+                  hull.ballast == Ballast::trim
+                      ? "Ballast: constant forces keep draught, heel and trim as given with lines and pipe attached."
+                      : "Ballast: the mass is as given, and the hull sinks under the pull of lines and pipe."});
   if (hull.data && hull.data->file_origin_V) {
     const Vec3& p = *hull.data->file_origin_V;
     list.push_back(
-        fmt::format("The hydrodynamic coefficients are moved from ({:.4g}, {:.4g}, {:.4g}) m, which the file's values "
-                    "are about, to the "
-                    "centre of gravity.",
-                    p.x(), p.y(), p.z()));
+        {AssumptionRank::other, fmt::format("The hydrodynamic coefficients are moved from ({:.4g}, {:.4g}, {:.4g}) m, "
+                                            "which the file's values are about, to the centre of gravity.",
+                                            p.x(), p.y(), p.z())});
   }
-  if (!model.current.z.empty()) list.push_back(current_words(hull.current));
+  if (!model.current.z.empty()) list.push_back(current_assumption(hull.current));
   if (hull.wind.speed <= 0.0) {
-    list.push_back("There is no wind.");
+    list.push_back({AssumptionRank::other, "There is no wind."});
   } else {
-    list.push_back(fmt::format("A steady wind of {:.3g} m/s acts on the hull by {}.", hull.wind.speed,
-                               hull.wind.table_file.empty() ? std::string("areas with shape and height coefficients")
-                                                            : "the table of coefficients " + hull.wind.table_file));
+    list.push_back({AssumptionRank::other,
+                    fmt::format("A steady wind of {:.3g} m/s acts on the hull by {}.", hull.wind.speed,
+                                hull.wind.table_file.empty() ? std::string("areas with shape and height coefficients")
+                                                             : "the table of coefficients " + hull.wind.table_file)});
   }
   if (hull.wave_drift == WaveDrift::newman && hull.data && !hull.data->mean_drift.empty()) {
-    list.push_back(
-        "Slowly varying drift follows from mean drift (Newman's approximation), in surge, sway and yaw; it is too "
-        "small "
-        "in shallow water.");
+    list.push_back({AssumptionRank::governing,
+                    "Slowly varying drift follows from mean drift (Newman's approximation), in surge, sway and yaw; it "
+                    "is too small in shallow water."});
   }
-  list.push_back(fmt::format(
-      "Phases of the waves and their heading follow the slow motion of the hull, a low-pass filter of {:.4g} s.",
-      hull.slow_period));
+  list.push_back(
+      {AssumptionRank::other,
+       fmt::format(
+           "Phases of the waves and their heading follow the slow motion of the hull, a low-pass filter of {:.4g} s.",
+           hull.slow_period)});
 }
 
-void assume_types(Sentences& list, const std::vector<LineSegmentDescription>& segments, std::set<std::string>& told) {
+void assume_types(Assumptions& list, const std::vector<LineSegmentDescription>& segments, std::set<std::string>& told) {
   for (const LineSegmentDescription& segment : segments) {
     const LineTypeDescription& type = segment.type;
     if (type.made_from.find("mm") == std::string::npos || !told.insert(type.made_from).second) continue;
-    list.push_back(fmt::format(
-        "Line type '{}' is a {}: {:.2f} kg/m, EA {:.1f} MN{}, from fits to makers' tables; drag {:.3g} on {:.4g} mm.",
-        type.name, type.made_from, type.weight_in_air / kGravity, 1e-6 * type.axial_stiffness,
-        type.breaking_load ? fmt::format(", breaking load {:.0f} kN", 1e-3 * *type.breaking_load) : std::string(),
-        type.drag_normal, 1e3 * type.drag_diameter));
+    list.push_back(
+        {AssumptionRank::other,
+         fmt::format(
+             "Line type '{}' is a {}: {:.2f} kg/m, EA {:.1f} MN{}, from fits to makers' tables; drag {:.3g} on {:.4g} "
+             "mm.",
+             type.name, type.made_from, type.weight_in_air / kGravity, 1e-6 * type.axial_stiffness,
+             type.breaking_load ? fmt::format(", breaking load {:.0f} kN", 1e-3 * *type.breaking_load) : std::string(),
+             type.drag_normal, 1e3 * type.drag_diameter)});
   }
 }
 
-void assume_moorings(Sentences& list, const MooringsDescription& moorings, std::set<std::string>& told) {
+void assume_moorings(Assumptions& list, const MooringsDescription& moorings, std::set<std::string>& told) {
   if (moorings.lines.empty()) return;
   for (const MooringLineDescription& line : moorings.lines) assume_types(list, line.segments, told);
-  list.push_back(
-      "A fairlead is a fixed point of the vessel: radius and friction of its sheave and the run to the winch are left "
-      "out.");
+  list.push_back({AssumptionRank::other,
+                  "A fairlead is a fixed point of the vessel: radius and friction of its sheave and the run to the "
+                  "winch are left out."});
   const bool slides = std::any_of(moorings.lines.begin(), moorings.lines.end(),
                                   [](const MooringLineDescription& line) { return line.anchor_holding.slides; });
-  list.push_back(slides ? "Anchors that may slide do so along their line, above their holding power less the uplift; "
-                          "the others are fixed."
-                        : "Anchors are fixed points; where their holding power is given, its use is reported.");
+  list.push_back({AssumptionRank::other,
+                  slides ? "Anchors that may slide do so along their line, above their holding power less the uplift; "
+                           "the others are fixed."
+                         : "Anchors are fixed points; where their holding power is given, its use is reported."});
   if (moorings.model == MooringModel::quasi_static) {
-    list.push_back(
-        "In time the mooring lines are elastic catenaries that follow the hull at once: without mass, drag and waves "
-        "on "
-        "them.");
+    list.push_back({AssumptionRank::other,
+                    "In time the mooring lines are elastic catenaries that follow the hull at once: without mass, drag "
+                    "and waves on them."});
   }
 }
 
 }  // namespace
 
-void assume_floating(Sentences& list, const Model& model) {
+void assume_floating(Assumptions& list, const Model& model) {
   const Description& d = model.description;
   std::set<std::string> told;
   if (d.vessel.coupled) assume_coupled(list, model);
   if (d.vessel.hydrostatics) {
-    list.push_back(
-        "The hull is restored by linear stiffness in heave, roll and pitch, in balance as drawn without lines and "
-        "pipe: "
-        "it sinks a little under its lines.");
+    list.push_back({AssumptionRank::other,
+                    "The hull is restored by linear stiffness in heave, roll and pitch, in balance as drawn without "
+                    "lines and pipe: it sinks a little under its lines."});
   }
   if (d.moorings) assume_moorings(list, *d.moorings, told);
   if (d.moorings && model.seabed.surface.shape() != nullptr) {
-    list.emplace_back(
-        "On an uneven seabed the catenary of a mooring line has its bed on the straight line from below its fairlead "
-        "to "
-        "its anchor; lines of elements lie on the seabed itself.");
+    list.push_back({AssumptionRank::other,
+                    "On an uneven seabed the catenary of a mooring line has its bed on the straight line from below "
+                    "its fairlead to its anchor; lines of elements lie on the seabed itself."});
   }
   for (const FreeLineDescription& line : d.lines) assume_types(list, line.segments, told);
   if (d.station_keeping) {
     list.push_back(
-        "Dynamic positioning is a spring, a damper and a limit on the slow motion; thrusters have no delay.");
+        {AssumptionRank::other,
+         "Dynamic positioning is a spring, a damper and a limit on the slow motion; thrusters have no delay."});
   }
 }
 

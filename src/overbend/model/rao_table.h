@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/vec.h"
 
 namespace overbend {
@@ -30,7 +31,7 @@ struct RaoTable {
   std::string source;                        ///< File they were read from.
   bool starboard = false;                    ///< One side only, entered as the mirror image of what the file gives.
   bool asymmetric = false;                   ///< The file says that the sides are not alike: none is mirrored.
-  std::vector<std::string> assumptions;      ///< Assumptions where the file states nothing: sentences for the report.
+  Assumptions assumptions;                   ///< Assumptions where the file states nothing: sentences for the report.
 
   const std::complex<double>& value(std::size_t heading, std::size_t omega, std::size_t freedom) const {
     return values[(heading * omegas.size() + omega) * 6 + freedom];

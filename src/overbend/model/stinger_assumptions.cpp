@@ -15,37 +15,40 @@ bool any(const std::vector<Described>& sections, bool (*holds)(const Described&)
 
 }  // namespace
 
-void assume_stinger(std::vector<std::string>& list, const Model& model) {
+void assume_stinger(Assumptions& list, const Model& model) {
   const std::vector<Described>& sections = model.description.supports.sections;
   if (sections.empty()) return;
-  list.push_back(fmt::format(
-      "The stinger turns on {}; its boxes go with their section as parts of a rigid body. Angles are positive when the "
-      "tip goes down from where it is drawn; boxes without a given inclination take it from the curve as drawn.",
-      sections.size() == 1 ? std::string("its hinge") : fmt::format("{} hinges", sections.size())));
+  list.push_back(
+      {AssumptionRank::other,
+       fmt::format("The stinger turns on {}; its boxes go with their section as parts of a rigid body. Angles are "
+                   "positive when the tip goes down from where it is drawn; boxes without a given inclination take it "
+                   "from the curve as drawn.",
+                   sections.size() == 1 ? std::string("its hinge") : fmt::format("{} hinges", sections.size()))});
   if (any(sections, [](const Described& s) { return s.floats() && !s.angle; })) {
-    list.emplace_back(
-        "In statics the moment about each hinge of roller forces, weight, buoyancy, springs and the current's drag on "
-        "all that turns about it is zero, or a stop carries the rest as a moment. The equilibrium is the one reached "
-        "from where the stinger "
-        "is drawn; sensitivities hold the stinger where it rests.");
+    list.push_back(
+        {AssumptionRank::other,
+         "In statics the moment about each hinge of roller forces, weight, buoyancy, springs and the current's drag on "
+         "all that turns about it is zero, or a stop carries the rest as a moment. The equilibrium is the one reached "
+         "from where the stinger is drawn; sensitivities hold the stinger where it rests."});
   }
   if (any(sections, [](const Described& s) { return s.body.has_value(); })) {
-    list.emplace_back("Weight and buoyancy of a stinger's body are constant and act at points fixed in it.");
+    list.push_back(
+        {AssumptionRank::other, "Weight and buoyancy of a stinger's body are constant and act at points fixed in it."});
   }
   if (any(sections, [](const Described& s) { return !s.tanks.empty(); })) {
-    list.emplace_back(
-        "A tank's buoyancy is that of the part of its axis below the mean water level, where the water cuts the axis "
-        "sharply; its weight and that of its ballast water act at mid-length.");
+    list.push_back({AssumptionRank::other,
+                    "A tank's buoyancy is that of the part of its axis below the mean water level, where the water "
+                    "cuts the axis sharply; its weight and that of its ballast water act at mid-length."});
   }
   if (any(sections, [](const Described& s) { return s.hinge_friction > 0.0 && s.floats(); })) {
-    list.emplace_back(
-        "The angle of the stinger is that without hinge friction; between which angles friction may leave it is "
-        "reported, for each section with the others held.");
+    list.push_back({AssumptionRank::other,
+                    "The angle of the stinger is that without hinge friction; between which angles friction may leave "
+                    "it is reported, for each section with the others held."});
   }
   if (model.description.moorings) {
-    list.emplace_back(
-        "The balance of the hull as drawn contains weight and buoyancy of the stinger as drawn; what they change acts "
-        "on the hull.");
+    list.push_back({AssumptionRank::other,
+                    "The balance of the hull as drawn contains weight and buoyancy of the stinger as drawn; what they "
+                    "change acts on the hull."});
   }
 }
 

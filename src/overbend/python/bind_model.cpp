@@ -89,7 +89,7 @@ void add_model(py::module_& module) {
       .def_property_readonly("title", [](const GivenModel& model) { return model->still().title; })
       .def_property_readonly("has_pipe", [](const GivenModel& model) { return model->still().has_pipe; })
       .def_property_readonly("assumptions",
-                             [](const GivenModel& model) { return assumptions(build_model(whole(model))); })
+                             [](const GivenModel& model) { return texts(assumptions(build_model(whole(model)))); })
       .def_property_readonly("findings", [](const GivenModel& model) {
         return to_python(findings_json(input_findings(build_model(whole(model)))));
       });

@@ -279,7 +279,7 @@ void add_simulation(py::module_& module) {
                              [](const Handle& handle) {
                                const Simulation& simulation = handle->simulation();
                                return py::make_tuple(
-                                   simulation.controllers().assumptions(),
+                                   texts(simulation.controllers().assumptions()),
                                    to_python(findings_json(simulation.controllers().findings(simulation.system()))));
                              })
       .def("state", [](const Handle& handle) { return state_of(*handle); })

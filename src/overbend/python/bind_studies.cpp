@@ -99,7 +99,7 @@ Json told_study(const StudyResults& results) {
           {"seeds", seeds},
           {"warnings", messages(results.findings)},
           {"findings", findings_json(results.findings)},
-          {"assumptions", results.assumptions},
+          {"assumptions", texts(results.assumptions)},
           {"wall_time", results.wall_time},
           {"command", results.command},
           {"operability", results.operability ? operability_json(*results.operability) : Json(nullptr)}};

@@ -131,27 +131,25 @@ void DynamicRecorder::fill_tensioner_findings(DynamicResults& results) const {
   const TensionerDescription& machine = model_->description.tensioner;
   const double way = std::max(t.travel.max, -t.travel.min);
   if (machine.mode == TensionerMode::constant && machine.travel && way > *machine.travel && move_ == nullptr) {
-    results.findings.push_back(Finding{
-        FindingCode::tensioner_at_travel_limit,
-        fmt::format(
-            "the ideal tensioner of constant tension travels up to {:.2f} m from the start, more than "
-            "tensioner.travel, "
-            "{:.2f} m, which does not stop it: a machine would have reached its limit, and the tension would not be "
-            "constant",
-            way, *machine.travel)}
-                                   .on("tensioner")
-                                   .with("travel", way, "m"));
+    results.findings.push_back(
+        Finding{FindingCode::tensioner_at_travel_limit,
+                fmt::format("the ideal tensioner of constant tension travels up to {:.2f} m from the start, more than "
+                            "tensioner.travel, {:.2f} m, which does not stop it: a machine would have reached its "
+                            "limit, and the tension would not be constant",
+                            way, *machine.travel)}
+            .on("tensioner")
+            .with("travel", way, "m"));
   }
   if (!model_->supports.boxes.empty() && model_->supports.boxes.front().structure == Structure::ramp) {
     const double free = model_->supports.boxes.front().point_S.x() - model_->description.tensioner.x;
     if (t.travel.max > free && move_ == nullptr) {
-      results.findings.push_back(Finding{
-          FindingCode::pipe_end_past_first_box,
-          fmt::format("the tensioner paid out {:.2f} m, more than the {:.2f} m to the first box: the end of the pipe, "
-                      "which moves with the travel, passed it",
-                      t.travel.max, free)}
-                                     .on("tensioner")
-                                     .with("travel", t.travel.max, "m"));
+      results.findings.push_back(
+          Finding{FindingCode::pipe_end_past_first_box,
+                  fmt::format("the tensioner paid out {:.2f} m, more than the {:.2f} m to the first box: the end of "
+                              "the pipe, which moves with the travel, passed it",
+                              t.travel.max, free)}
+              .on("tensioner")
+              .with("travel", t.travel.max, "m"));
     }
   }
 }
@@ -181,10 +179,11 @@ void DynamicRecorder::fill_assumptions(DynamicResults& results) const {
   if (hardest_.empty()) return;
   const double force = 1e-3 * hardest_.front().peak_force;
   const double stiffness = 1e-6 * (*body_rollers_)[static_cast<std::size_t>(hardest_.front().roller)].law.stiffness;
-  results.assumptions.push_back(fmt::format(
-      "The hardest impact, {:.1f} kN, was on a contact of {:.3g} MN/m; with half that stiffness it would be "
-      "{:.1f} kN, with twice {:.1f} kN (the force is proportional to its cube root at the same approach velocity).",
-      force, stiffness, force * std::cbrt(0.5), force * std::cbrt(2.0)));
+  results.assumptions.push_back(
+      {AssumptionRank::governing, fmt::format("The hardest impact, {:.1f} kN, was on a contact of {:.3g} MN/m; with "
+                                              "half that stiffness it would be {:.1f} kN, with twice {:.1f} kN (the "
+                                              "force is proportional to its cube root at the same approach velocity).",
+                                              force, stiffness, force * std::cbrt(0.5), force * std::cbrt(2.0))});
 }
 
 /// What slamming, which the equations leave out, would have been at the fastest entry.
@@ -199,8 +198,9 @@ void DynamicRecorder::fill_slamming(DynamicResults& results) const {
       "at 1 m/s)",
       crossing_.speed(), from_top, crossing_.time(), 1e-3 * force,
       1e-3 * slamming_force(model_->water_density, pipe.outer_diameter, 1.0));
-  results.assumptions.push_back("Slamming and the rate of change of added mass at the surface are neglected; " + size +
-                                ".");
+  results.assumptions.push_back(
+      {AssumptionRank::other,
+       "Slamming and the rate of change of added mass at the surface are neglected; " + size + "."});
 }
 
 void DynamicRecorder::fill(DynamicResults& results) const {

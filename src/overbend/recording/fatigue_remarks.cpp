@@ -63,31 +63,33 @@ void follow_welds(const Model& model, DynamicResults& results) {
 void assume_of_fatigue(const Model& model, DynamicResults& results) {
   const LayPace pace = lay_pace(model.description);
   FatigueResults& out = *results.fatigue;
-  const auto say = [&](std::string text) {
-    out.assumptions.push_back(text);
-    results.assumptions.push_back(std::move(text));
+  const auto say = [&](AssumptionRank rank, std::string text) {
+    out.assumptions.push_back({rank, std::move(text)});
+    results.assumptions.push_back(out.assumptions.back());
   };
   double least = 1.0;
   for (const FatigueSpot& spot : out.spots) least = std::min(least, mean_over_worst(results, spot, pace));
-  say(fmt::format(
-      "Fatigue: the sea of the run lasts all the time that a weld is on its way; its build-up is not counted. A weld "
-      "rests {:.4g} s at stops {:.4g} m apart and moves for {:.4g} s between them; its damage is that of the worst "
-      "places of the stops along the line (the mean over all places is at least {:.2f} of it).",
-      pace.weld_time, pace.joint, pace.move_time, least));
-  say(fmt::format(
-      "Fatigue: rainflow cycles (ASTM E1049) of the longitudinal stress at eight points round the section, ranges "
-      "below {:.2g} MPa left out, with S-N curves of {}; stations keep their place on the pipe in the run, and the "
-      "pipe does not turn about its axis. Residual and mean stresses do not count.",
-      0.1, fatigue_code(model.description.fatigue->edition)));
+  say(AssumptionRank::governing,
+      fmt::format(
+          "Fatigue: the sea of the run lasts all the time that a weld is on its way; its build-up is not counted. A "
+          "weld rests {:.4g} s at stops {:.4g} m apart and moves for {:.4g} s between them; its damage is that of the "
+          "worst places of the stops along the line (the mean over all places is at least {:.2f} of it).",
+          pace.weld_time, pace.joint, pace.move_time, least));
+  say(AssumptionRank::other,
+      fmt::format("Fatigue: rainflow cycles (ASTM E1049) of the longitudinal stress at eight points round the section, "
+                  "ranges below {:.2g} MPa left out, with S-N curves of {}; stations keep their place on the pipe in "
+                  "the run, and the pipe does not turn about its axis. Residual and mean stresses do not count.",
+                  0.1, fatigue_code(model.description.fatigue->edition)));
   if (uses_renewed_curve(*model.description.fatigue)) {
-    say("Fatigue: editions of DNV-RP-C203 differ for the S-N curves B1 to C2 (fatigue.edition). For ranges above 100 "
-        "to "
-        "125 MPa in air and 240 to 300 MPa in protected seawater C, C1 and C2 of 2024 give more damage than those of "
-        "2016, below less. The numbers of 2024 are those of one public source, and for walls of more than 25 mm the "
+    say(AssumptionRank::other,
+        "Fatigue: editions of DNV-RP-C203 differ for the S-N curves B1 to C2 (fatigue.edition). For ranges above 100 "
+        "to 125 MPa in air and 240 to 300 MPa in protected seawater C, C1 and C2 of 2024 give more damage than those "
+        "of 2016, below less. The numbers of 2024 are those of one public source, and for walls of more than 25 mm the "
         "larger thickness exponent of older editions is taken with them. Count with both and take the larger damage.");
   }
   if (model.description.fatigue->hi_lo > 0.0) {
-    say("Fatigue: the stress factor of misaligned walls is 1 + 3 (e/t) exp(-(D/t)^-0.5) inside and outside "
+    say(AssumptionRank::other,
+        "Fatigue: the stress factor of misaligned walls is 1 + 3 (e/t) exp(-(D/t)^-0.5) inside and outside "
         "(DNV-RP-C203 2.10), nothing taken off for what the S-N curves hold of it.");
   }
 }
@@ -98,14 +100,13 @@ void warn_of_fatigue(const Model& model, DynamicResults& results) {
   for (const FatigueSpot& spot : fatigue.spots) {
     const double cycles = spot.cycles[worst_station(spot)] * results.duration;
     if (cycles < kFewCycles) {
-      results.findings.push_back(Finding{
-          FindingCode::fatigue_few_cycles,
-          fmt::format("fatigue at '{}' is from {:.0f} stress cycles at the worst station: a run of more than {:.0f} is "
-                      "needed for a "
-                      "damage rate that hangs little on chance",
-                      spot.name, cycles, kFewCycles)}
-                                     .on(spot.name)
-                                     .with("cycles", cycles, "1"));
+      results.findings.push_back(
+          Finding{FindingCode::fatigue_few_cycles,
+                  fmt::format("fatigue at '{}' is from {:.0f} stress cycles at the worst station: a run of more than "
+                              "{:.0f} is needed for a damage rate that hangs little on chance",
+                              spot.name, cycles, kFewCycles)}
+              .on(spot.name)
+              .with("cycles", cycles, "1"));
     }
     if (spot.standby < pace.weld_time + pace.move_time) {
       results.findings.push_back(Finding{
@@ -117,10 +118,9 @@ void warn_of_fatigue(const Model& model, DynamicResults& results) {
     }
   }
   if (yields(model, results)) {
-    results.findings.push_back(
-        {FindingCode::fatigue_with_yield,
-         "the steel yields in the run: fatigue is counted with the stress of elastic steel at the same curvature or "
-         "moment, and low-cycle fatigue is not looked at"});
+    results.findings.push_back({FindingCode::fatigue_with_yield,
+                                "the steel yields in the run: fatigue is counted with the stress of elastic steel at "
+                                "the same curvature or moment, and low-cycle fatigue is not looked at"});
   }
 }
 

@@ -50,12 +50,13 @@ void add_move_columns(std::vector<RecordedColumn>& columns, bool pipe) {
 void assume_of_move(const Model& model, const MoveProfile& move, DynamicResults& results) {
   const bool told = model.description.vessel.motion != VesselMotion::coupled;
   results.assumptions.push_back(
-      fmt::format("The vessel {} {:.2f} m ahead in {} from t = {:.0f} s on{}.",
-                  told ? "moves as told, whatever the tension," : "is pulled", move.whole_way(),
-                  move.moves == 1 ? "one move" : fmt::format("{} moves", move.moves), move.start,
-                  model.description.has_pipe ? "; pipe that is paid out joins the line in elements, and its weight "
-                                               "between the guide and the last of them is left out"
-                                             : ""));
+      {AssumptionRank::other,
+       fmt::format("The vessel {} {:.2f} m ahead in {} from t = {:.0f} s on{}.",
+                   told ? "moves as told, whatever the tension," : "is pulled", move.whole_way(),
+                   move.moves == 1 ? "one move" : fmt::format("{} moves", move.moves), move.start,
+                   model.description.has_pipe ? "; pipe that is paid out joins the line in elements, and its weight "
+                                                "between the guide and the last of them is left out"
+                                              : "")});
 }
 
 void warn_of_move(const Model& model, const MoveProfile& move, DynamicResults& results) {

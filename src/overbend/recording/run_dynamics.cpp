@@ -61,7 +61,7 @@ DynamicResults begun_results(const Model& model, const Run& run) {
 DynamicResults results_of(const Model& model, const Simulation& simulation, const DynamicRecorder& recorder) {
   DynamicResults r = begun_results(model, simulation);
   recorder.fill(r);
-  for (std::string& words : simulation.controllers().assumptions()) r.assumptions.push_back(std::move(words));
+  r.assumptions = merge(std::move(r.assumptions), simulation.controllers().assumptions());
   append(r.findings, simulation.controllers().findings(simulation.system()));
   return r;
 }

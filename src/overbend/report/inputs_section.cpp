@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 #include "base/shown_unit.h"
 #include "model/station.h"
-#include "report/assumption_rank.h"
 #include "report/listing.h"
 #include "report/mooring_inputs.h"
 #include "report/quantity.h"
@@ -212,13 +212,15 @@ std::string inputs_section(const Description& description) {
                            mooring_inputs(description) + line_inputs(description));
 }
 
-std::string assumptions_section(const std::vector<std::string>& assumptions) {
-  constexpr std::array<const char*, 3> kHeads = {"Governing assumptions", "Settings of the model file",
-                                                 "Other assumptions"};
-  const std::array<std::vector<std::string>, 3> lists = ranked(assumptions);
+std::string assumptions_section(const Assumptions& assumptions) {
+  constexpr std::array<std::pair<AssumptionRank, const char*>, 3> kHeads = {
+      {{AssumptionRank::governing, "Governing assumptions"},
+       {AssumptionRank::setting, "Settings of the model file"},
+       {AssumptionRank::other, "Other assumptions"}}};
   std::string body;
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    if (!lists[i].empty()) body += "<h3>" + std::string(kHeads[i]) + "</h3>\n" + html::list(lists[i]);
+  for (const auto& [rank, head] : kHeads) {
+    const std::vector<std::string> list = texts(assumptions, rank);
+    if (!list.empty()) body += "<h3>" + std::string(head) + "</h3>\n" + html::list(list);
   }
   return body.empty() ? "" : html::section("assumptions", "Assumptions", body);
 }

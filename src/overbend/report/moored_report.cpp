@@ -91,7 +91,7 @@ std::string moored_report_in_time(const StaticResults& statics, const DynamicRes
   const std::string before =
       moorings_section(rest, figure) + operation_section(rest, figure) + (rest.hull ? hull_section(*rest.hull) : "");
   const std::string closing = (description ? inputs_section(*description) : "") +
-                              assumptions_section(together(rest.assumptions, results.assumptions)) +
+                              assumptions_section(merge(rest.assumptions, results.assumptions)) +
                               dynamic_run_section(results) + model_text_section(model_text);
   const FrontPage front = front_in_time(statics, results, description);
   return page_without_pipe(

@@ -26,13 +26,10 @@ const StaticResults* first_lay(const OperationResults& results) {
   return at == results.stages.end() ? nullptr : &*at->lay;
 }
 
-std::vector<std::string> all_assumptions(const OperationResults& results) {
-  std::vector<std::string> all = results.assumptions;
+Assumptions all_assumptions(const OperationResults& results) {
+  Assumptions all = results.assumptions;
   for (const StageResult& stage : results.stages) {
-    if (!stage.lay) continue;
-    for (const std::string& one : stage.lay->assumptions) {
-      if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
-    }
+    if (stage.lay) all = merge(std::move(all), stage.lay->assumptions);
   }
   return all;
 }

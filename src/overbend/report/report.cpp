@@ -100,7 +100,7 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
   const std::string before = key_results(statics, "static-results", "Initial static state") + static_figures +
                              static_tables(statics) + moorings + hull_part(statics);
   const std::string closing = inputs_section(statics, description, &results) +
-                              assumptions_section(together(statics.assumptions, results.assumptions)) +
+                              assumptions_section(merge(statics.assumptions, results.assumptions)) +
                               dynamic_rollers_section(results) + rollers_section(statics) +
                               calculation_sheet_section(results.checks) + check_inputs_section(results.checks) +
                               dynamic_run_section(results) + balance_section(statics) + model_text_section(model_text);

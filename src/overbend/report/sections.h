@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/assumption.h"
 #include "model/description.h"
 #include "results/dynamic_results.h"
 
@@ -28,7 +29,7 @@ std::string inputs_section(const StaticResults& results, const std::optional<Des
 /// Of a model without a pipe.
 std::string inputs_section(const Description& description);
 /// By what hangs on them.
-std::string assumptions_section(const std::vector<std::string>& assumptions);
+std::string assumptions_section(const Assumptions& assumptions);
 /// Stations at tensioner, supports, sagbend maximum, touchdown and anchor, in the layout of lay analyses.
 std::string static_summary_table(const StaticResults& results);
 /// Setting of every box and its reaction; for a dynamic run also minima and maxima. Empty in J-lay.

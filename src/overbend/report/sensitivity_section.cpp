@@ -98,7 +98,8 @@ std::string sensitivity_section(const SensitivityResults& s, int& figure) {
     tables += table_of(s, r);
   }
   if (figures.empty()) return "";
-  std::string body = html::list(s.assumptions) + figures + html::folded("Derivatives by all inputs", tables, false);
+  std::string body =
+      html::list(texts(s.assumptions)) + figures + html::folded("Derivatives by all inputs", tables, false);
   return html::section("sensitivities", "What this result hangs on", body);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "resultfiles/hdf5_file.h"
 #include "results/static_results.h"
@@ -35,6 +36,10 @@ struct ValueReader {
   void operator()(const ResultField& f, std::uint64_t& value) const { value = file.seed(path(f)); }
   void operator()(const ResultField& f, std::string& value) const { value = element(file.texts(path(f)), 0, path(f)); }
   void operator()(const ResultField& f, std::vector<std::string>& values) const { values = file.texts(path(f)); }
+  void operator()(const ResultField& f, Assumptions& values) const {
+    const std::string ranks = group + "/" + kAssumptionRanks;
+    values = read_assumptions(file.texts(path(f)), file.has(ranks) ? file.texts(ranks) : std::vector<std::string>{});
+  }
   void operator()(const ResultField& f, Findings& values) const {
     values.clear();
     if (file.has(path(f))) {

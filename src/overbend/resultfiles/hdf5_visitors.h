@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "model/description.h"
 #include "resultfiles/dataset_sink.h"
@@ -30,6 +31,11 @@ struct ValueWriter {
   }
   void operator()(const ResultField& field, const std::vector<std::string>& values) {
     file.write(path(field), field, values, {values.size()});
+  }
+  /// The sentences, and the names of their ranks as "assumption_ranks".
+  void operator()(const ResultField& field, const Assumptions& values) {
+    (*this)(field, texts(values));
+    (*this)(ResultField{kAssumptionRanks, "1", "Ranks of the assumptions"}, rank_names(values));
   }
   /// Each as a JSON text; their messages alone as "warnings".
   void operator()(const ResultField& field, const Findings& values) {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "base/json.h"
 #include "results/dynamic_results.h"
@@ -90,6 +91,11 @@ class JsonWriter {
   }
   void operator()(const ResultField& f, const std::vector<std::string>& values) {
     put(f, [&] { return style_.texts(values); });
+  }
+  /// The sentences; summary.json has the names of their ranks as well.
+  void operator()(const ResultField& f, const Assumptions& values) {
+    if (Style::kOutput == Output::summary) slot(kAssumptionRanks) = style_.texts(rank_names(values));
+    put(f, [&] { return style_.texts(texts(values)); });
   }
   /// summary.json has their messages under "warnings" as well, for scripts.
   void operator()(const ResultField& f, const Findings& values) {

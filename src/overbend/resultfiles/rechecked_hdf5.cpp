@@ -17,9 +17,10 @@ struct AssumptionWriter {
 
   template <class Value>
   void operator()(const ResultField& field, const Value& value) {
-    if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
-      if (field.name != "assumptions") return;
-      file.remove(group + "/" + field.name);
+    if constexpr (std::is_same_v<Value, Assumptions>) {
+      for (const std::string& name : {field.name, std::string(kAssumptionRanks)}) {
+        if (file.has(group + "/" + name)) file.remove(group + "/" + name);
+      }
       ValueWriter{file, group}(field, value);
     } else if constexpr (std::is_same_v<Value, Findings>) {
       for (const char* name : {"/findings", "/warnings"}) {

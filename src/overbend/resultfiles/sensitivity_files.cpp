@@ -80,7 +80,8 @@ Json sensitivities_json(const SensitivityResults& s) {
   }
   json["without_effect"] = s.without_effect;
   json["not_done"] = s.not_done;
-  json["assumptions"] = s.assumptions;
+  json["assumptions"] = texts(s.assumptions);
+  json[kAssumptionRanks] = rank_names(s.assumptions);
   json["wall_time"] = s.wall_time;
   return json;
 }

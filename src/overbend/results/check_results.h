@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "base/vec.h"
 
@@ -100,7 +101,7 @@ struct CheckAlong {
 struct CheckTable {
   std::vector<CheckRow> rows;
   CheckAlong along;
-  std::vector<std::string> assumptions;
+  Assumptions assumptions;
 };
 
 /// A finding for every governing check whose formula does not hold: "passed" alone would hide that nobody looked.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "base/vec.h"
 #include "results/fatigue_results.h"
@@ -189,7 +190,7 @@ struct DynamicResults {
 
   double duration = 0.0, build_up = 0.0, output_step = 0.0;  ///< [s]
   std::uint64_t seed = 0;
-  std::vector<std::string> assumptions;
+  Assumptions assumptions;
   Findings findings;
   std::vector<double> station_s;                                                  ///< Arc length from the anchor [m].
   Envelope effective_tension, bending_moment, bending_stress, von_mises, strain;  ///< Per station.

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
+
 namespace overbend {
 
 /// A spot of the weld along the line; arrays are by station of the dynamic results.
@@ -23,7 +25,7 @@ struct FatigueResults {
   std::vector<FatigueSpot> spots;
   double budget = 0.0, design_factor = 1.0;
   double lay_rate = 0.0;  ///< Mean, by joint, weld time and move time [m/s].
-  std::vector<std::string> assumptions;
+  Assumptions assumptions;
 };
 
 }  // namespace overbend

@@ -24,13 +24,6 @@ Finding with_stages(const SharedFinding& shared, std::size_t stages) {
 
 }  // namespace
 
-std::vector<std::string> together(std::vector<std::string> all, const std::vector<std::string>& more) {
-  for (const std::string& text : more) {
-    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
-  }
-  return all;
-}
-
 const Findings& static_findings(const StaticResults& results) {
   return results.has_pipe() ? results.findings : results.moorings->findings;
 }

@@ -1,18 +1,12 @@
 /// Findings of results as a whole.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "base/finding.h"
 #include "results/dynamic_results.h"
 #include "results/operation_results.h"
 #include "results/verdict.h"
 
 namespace overbend {
-
-/// All sentences, then those of `more` that are not among them.
-std::vector<std::string> together(std::vector<std::string> all, const std::vector<std::string>& more);
 
 /// Of a static state: of the lay, or of the hull on its moorings where there is no pipe.
 const Findings& static_findings(const StaticResults& results);

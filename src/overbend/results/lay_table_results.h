@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "model/lay_table_description.h"
 #include "results/verdict.h"
@@ -66,7 +67,7 @@ struct LayTable {
   bool route = false;                         ///< Rows are points of a route.
   RouteTension tension = RouteTension::hold;  ///< Of a route.
   double held_tension = 0.0;                  ///< Where depth is varied and the tension is not [N].
-  std::vector<std::string> assumptions;
+  Assumptions assumptions;
   Findings findings;
   std::vector<LayTableRow> rows;  ///< In the order of what is varied, the limits among them.
   int solves = 0;                 ///< Equilibria calculated.

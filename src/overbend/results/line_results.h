@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "base/vec.h"
 #include "results/dynamic_results.h"
@@ -47,7 +48,7 @@ struct LineResult {
 
 struct LinesResults {
   std::string title, version;
-  std::vector<std::string> assumptions;
+  Assumptions assumptions;
   Findings findings;
   CheckTable checks;
   std::vector<LineResult> lines;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "base/vec.h"
 #include "results/check_results.h"
@@ -115,7 +116,7 @@ struct MooringResults {
   ~MooringResults();
 
   std::string title, version;
-  std::vector<std::string> assumptions;
+  Assumptions assumptions;
   Findings findings;
   CheckTable checks;  ///< Of lines and anchors; of a lay in StaticResults.
   MooredState rest;

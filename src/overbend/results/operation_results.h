@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "model/description.h"
 #include "results/static_results.h"
@@ -29,7 +30,7 @@ struct StageResult {
 struct OperationResults {
   std::string title, version;
   OperationType type = OperationType::abandonment;
-  std::vector<std::string> assumptions;
+  Assumptions assumptions;
   Findings findings;                ///< Of the operation as a whole.
   std::vector<StageResult> stages;  ///< In the order in which they are done.
   double wall_time = 0.0;           ///< Of all [s].

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
+
 namespace overbend {
 
 /// A number of the model file.
@@ -49,7 +51,7 @@ struct SensitivityResults {
   std::vector<Derivative> derivatives;      ///< Row by row of the results, each with all inputs.
   std::vector<std::string> without_effect;  ///< Names of inputs on which none of the results hangs.
   std::vector<std::string> not_done;        ///< Of those that cannot be changed a little.
-  std::vector<std::string> assumptions;
+  Assumptions assumptions;
   double wall_time = 0.0;  ///< [s]
 
   const Derivative& at(std::size_t result, std::size_t input) const {

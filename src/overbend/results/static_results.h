@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "base/vec.h"
 #include "model/section.h"
@@ -200,7 +201,7 @@ struct StaticResults {
   ~StaticResults();
 
   std::string title, version;
-  std::vector<std::string> assumptions;
+  Assumptions assumptions;
   Findings findings;
   std::vector<DerivedSection> sections;  ///< First the line's own, then the segments'.
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "results/verdict.h"
 
@@ -112,7 +113,7 @@ struct StudyResults {
   std::vector<StudyCase> cases;
   std::vector<StudyExtreme> extremes;
   std::optional<OperabilityResults> operability;
-  std::vector<std::string> assumptions;
+  Assumptions assumptions;
   Findings findings;
   double wall_time = 0.0;  ///< Of all sittings together [s].
   int threads = 0;

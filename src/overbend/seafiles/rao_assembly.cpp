@@ -122,7 +122,8 @@ class Assembly {
                                      [&](const RaoRecord& r) { return static_cast<std::size_t>(r.freedom) == k; });
       if (!given) {
         table_.assumptions.push_back(
-            fmt::format("The RAOs of {} do not contain {}; it is taken as zero.", file_, kFreedomNames[k]));
+            {AssumptionRank::other,
+             fmt::format("The RAOs of {} do not contain {}; it is taken as zero.", file_, kFreedomNames[k])});
         continue;
       }
       for (std::size_t i = k; i < line_.size(); i += 6) {
@@ -141,8 +142,9 @@ class Assembly {
     if (one_sided) {
       const bool stated = symmetry_ != RaoSymmetry::unstated;
       table_.assumptions.push_back(
-          fmt::format("The RAOs of {} cover one side of the vessel; the other is {} its mirror image.", file_,
-                      stated ? "by their own statement" : "assumed to be"));
+          {AssumptionRank::other,
+           fmt::format("The RAOs of {} cover one side of the vessel; the other is {} its mirror image.", file_,
+                       stated ? "by their own statement" : "assumed to be")});
     }
     if (widest * kToDegrees > 45.1) {
       diagnostics_.add({Severity::warning, file_, 0, 0, "",

@@ -31,19 +31,22 @@ void place_points(RaoTable& table, const std::string& set, const RaoSettings& st
   } else if (stated.reference) {
     table.reference_V = given.file_origin + *stated.reference;
     if (set == "orcaflex" && !given.file_origin_stated) {
-      table.assumptions.push_back(name +
-                                  " give their origin in the vessel axes of the file; the origin of these axes is "
-                                  "assumed at midship on the water line.");
+      table.assumptions.push_back(
+          {AssumptionRank::other, name +
+                                      " give their origin in the vessel axes of the file; the origin of these axes is "
+                                      "assumed at midship on the water line."});
     }
   } else {
-    table.assumptions.push_back(name + " do not state their reference point; midship on the water line is assumed.");
+    table.assumptions.push_back(
+        {AssumptionRank::other, name + " do not state their reference point; midship on the water line is assumed."});
   }
   if (given.wave_origin) {
     table.wave_origin_V = *given.wave_origin;
   } else if (stated.wave_origin) {
     table.wave_origin_V = given.file_origin + *stated.wave_origin;
   } else if (set == "wamit") {
-    table.assumptions.push_back(name + " are assumed to have phases relative to the wave at midship (X = Y = 0).");
+    table.assumptions.push_back(
+        {AssumptionRank::other, name + " are assumed to have phases relative to the wave at midship (X = Y = 0)."});
   } else {
     table.wave_origin_V = table.reference_V;
   }
@@ -63,10 +66,13 @@ RaoTable sides_alike(RaoTable table, double depth) {
   const double reference = table.reference_V.y(), origin = table.wave_origin_V.y();
   if (!table.one_sided() || (reference == 0.0 && origin == 0.0)) return table;
   if (reference != 0.0) {
-    table.assumptions.push_back(fmt::format(
-        "The RAOs of {} cover one side of the vessel and are of a point {:.3g} m off the centreline; for the mirror "
-        "image they are moved to the centreline, and the vessel's motions in the results are of the point there.",
-        table.source, std::abs(reference)));
+    table.assumptions.push_back(
+        {AssumptionRank::other,
+         fmt::format(
+             "The RAOs of {} cover one side of the vessel and are of a point {:.3g} m off the centreline; for the "
+             "mirror "
+             "image they are moved to the centreline, and the vessel's motions in the results are of the point there.",
+             table.source, std::abs(reference))});
   }
   return moved_to_centreline(std::move(table), depth);
 }

@@ -45,7 +45,7 @@ Json answer_of(const SensitivityResults& s) {
   }
   return {{"status", "converged"},
           {"results", std::move(results)},
-          {"assumptions", s.assumptions},
+          {"assumptions", texts(s.assumptions)},
           {"elapsed_ms", 1e3 * s.wall_time}};
 }
 

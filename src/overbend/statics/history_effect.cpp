@@ -63,7 +63,7 @@ void note_history_effect(const Model& model, const StaticSolution& solution, Sta
     results.findings.push_back(
         Finding{FindingCode::history_dependent_strain, text}.on("pipe").with("strain_ratio", ratio, "1"));
   } else {
-    results.assumptions.push_back(text);
+    results.assumptions.push_back({AssumptionRank::other, text});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "model/model.h"
 #include "results/hull_results.h"
@@ -13,7 +14,7 @@ namespace overbend {
 
 struct HullAccount {
   HullResults results;
-  std::vector<std::string> assumptions;
+  Assumptions assumptions;
   Findings findings;  ///< Plain sentences.
 };
 

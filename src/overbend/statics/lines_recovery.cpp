@@ -87,12 +87,12 @@ std::optional<double> folded_at(const LineMesh& mesh, const std::vector<double>&
 void warn_of_fold(const std::string& name, const LineMesh& mesh, const std::vector<double>& q, Findings& findings) {
   const std::optional<double> at = folded_at(mesh, q);
   if (!at) return;
-  findings.push_back(Finding{
-      FindingCode::element_folded,
-      fmt::format("line \"{}\": an element is folded {:.1f} m from its first end: tension and shape are not those of a "
-                  "line; give its ends a direction, or shorter elements (lines[].element)",
-                  name, *at)}
-                         .on("line " + name));
+  findings.push_back(
+      Finding{FindingCode::element_folded,
+              fmt::format("line \"{}\": an element is folded {:.1f} m from its first end: tension and shape are not "
+                          "those of a line; give its ends a direction, or shorter elements (lines[].element)",
+                          name, *at)}
+          .on("line " + name));
 }
 
 void warn(const FreeLineDescription& description, const LineResult& line, bool in_bow, Findings& findings) {
@@ -143,18 +143,19 @@ double length_on_bed(const Line& line, const std::vector<double>& q) {
   return sum;
 }
 
-std::vector<std::string> line_assumptions(const Model& model) {
-  std::vector<std::string> told = {
-      "Lines: no torsion; chains and ropes bear no compression and are damped by 1 % of critical in their first axial "
-      "mode, "
-      "other lines not; pressure makes no tension; their axis rests at the height of the "
-      "bed."};
+Assumptions line_assumptions(const Model& model) {
+  Assumptions told = {
+      {AssumptionRank::other,
+       "Lines: no torsion; chains and ropes bear no compression and are damped by 1 % of critical in their first axial "
+       "mode, other lines not; pressure makes no tension; their axis rests at the height of the bed."}};
   const bool tethers =
       std::any_of(model.description.lines.begin(), model.description.lines.end(), [](const auto& line) {
         return std::any_of(line.points.begin(), line.points.end(),
                            [](const auto& point) { return point.tether > 0.0; });
       });
-  if (tethers) told.push_back("Tethers stand upright over or under their line whatever drags on what they hold.");
+  if (tethers)
+    told.push_back(
+        {AssumptionRank::other, "Tethers stand upright over or under their line whatever drags on what they hold."});
   return told;
 }
 

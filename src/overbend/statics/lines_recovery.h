@@ -1,6 +1,7 @@
 /// From the shapes of lines at rest to what is told of them.
 #pragma once
 
+#include "base/assumption.h"
 #include "results/line_results.h"
 #include "statics/lines_setup.h"
 
@@ -15,6 +16,6 @@ LinesResults recover_lines(const Model& model, const Assembly& assembly, const S
 double length_on_bed(const Line& line, const std::vector<double>& q);
 
 /// What had to be assumed of the lines: sentences for the report.
-std::vector<std::string> line_assumptions(const Model& model);
+Assumptions line_assumptions(const Model& model);
 
 }  // namespace overbend

@@ -120,17 +120,19 @@ std::optional<double> brake_of(const MooringsDescription& moorings, const std::s
   return named == moorings.winches.end() ? std::nullopt : named->brake;
 }
 
-void assume_lines(const MooringsDescription& moorings, std::vector<std::string>& list) {
-  list.emplace_back(
-      "Mooring lines are elastic catenaries: without bending stiffness, without current and waves on them, on a rigid "
-      "bed at the line's axis, with the weight in air above the mean water level.");
-  list.emplace_back("Sheaves, their friction and the run from the fairlead to the winch are left out.");
+void assume_lines(const MooringsDescription& moorings, Assumptions& list) {
+  list.push_back(
+      {AssumptionRank::governing,
+       "Mooring lines are elastic catenaries: without bending stiffness, without current and waves on them, on a rigid "
+       "bed at the line's axis, with the weight in air above the mean water level."});
+  list.push_back(
+      {AssumptionRank::other, "Sheaves, their friction and the run from the fairlead to the winch are left out."});
   for (const MooringLineDescription& line : moorings.lines) {
     for (const LineSegmentDescription& segment : line.segments) {
       if (segment.type.made_from.empty() || segment.type.made_from == kGivenNumbers) continue;
-      std::string sentence =
-          fmt::format("Mooring line \"{}\": properties by diameter, {}.", line.name, segment.type.made_from);
-      if (std::find(list.begin(), list.end(), sentence) == list.end()) list.push_back(std::move(sentence));
+      list = merge(std::move(list),
+                   {{AssumptionRank::other, fmt::format("Mooring line \"{}\": properties by diameter, {}.", line.name,
+                                                        segment.type.made_from)}});
     }
   }
 }
@@ -302,11 +304,11 @@ Findings mooring_findings(const Model& model, const MooringSpread& spread, const
   return list;
 }
 
-std::vector<std::string> mooring_assumptions(const Model& model) {
-  std::vector<std::string> list = assumptions(model);
+Assumptions mooring_assumptions(const Model& model) {
+  Assumptions list = assumptions(model);
   if (has_mooring_lines(model.description)) assume_lines(*model.description.moorings, list);
   if (model.description.vessel.coupled) {
-    list.emplace_back(drift_words(model.description));
+    list.push_back({AssumptionRank::other, drift_words(model.description)});
   }
   return list;
 }

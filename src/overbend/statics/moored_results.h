@@ -1,6 +1,7 @@
 /// Results and warnings from a hull at rest on its lines.
 #pragma once
 
+#include "base/assumption.h"
 #include "base/finding.h"
 
 #include "model/model.h"
@@ -20,6 +21,6 @@ MooredState moored_state(const std::string& name, const Model& model, const Moor
 Findings mooring_findings(const Model& model, const MooringSpread& spread, const MooredState& state);
 
 /// What the analysis takes for granted.
-std::vector<std::string> mooring_assumptions(const Model& model);
+Assumptions mooring_assumptions(const Model& model);
 
 }  // namespace overbend

@@ -60,10 +60,11 @@ void note_sensitive_tension(StaticResults& results, const Model& model, const St
   const std::optional<double> slope = tension_per_anchor_distance(model, solution);
   if (!slope) return;
   const double change = std::abs(*slope) * kLength;
-  results.assumptions.push_back(fmt::format(
-      "the tension follows from pipe.length and pipe.anchor, which are taken as exact: an error of 10 mm in either "
-      "changes the tension by {:.3g} kN ({:.2g} %)",
-      1e-3 * change, 100.0 * change / results.top_tension));
+  results.assumptions.push_back(
+      {AssumptionRank::other, fmt::format("the tension follows from pipe.length and pipe.anchor, which are taken as "
+                                          "exact: an error of 10 mm in either "
+                                          "changes the tension by {:.3g} kN ({:.2g} %)",
+                                          1e-3 * change, 100.0 * change / results.top_tension)});
 }
 
 }  // namespace overbend

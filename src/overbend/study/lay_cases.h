@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/assumption.h"
 #include "base/finding.h"
 #include "model/description.h"
 #include "results/lay_table_results.h"
@@ -35,7 +36,7 @@ class LayCases {
   double own_depth() const { return description_.environment.water_depth; }
   /// Of the model as it is; without a lay where that has none.
   const LayCase& own() const { return own_; }
-  const std::vector<std::string>& assumptions() const { return assumptions_; }
+  const Assumptions& assumptions() const { return assumptions_; }
   /// Equilibria calculated so far.
   int solves() const { return solves_; }
 
@@ -62,7 +63,7 @@ class LayCases {
   Description description_;
   LayCase own_;
   std::vector<Known> known_;
-  std::vector<std::string> assumptions_;
+  Assumptions assumptions_;
   int solves_ = 0;
 };
 

@@ -140,19 +140,22 @@ class Sensitivities {
 };
 
 void tell_assumptions(const Model& model, SensitivityResults& results) {
-  results.assumptions.emplace_back(
-      "Sensitivities hold the mesh and the contacts as they are; derivatives by the numbers of the model file, each by "
-      "itself.");
+  results.assumptions.push_back({AssumptionRank::other,
+                                 "Sensitivities hold the mesh and the contacts as they are; derivatives by the numbers "
+                                 "of the model file, each by "
+                                 "itself."});
   if (has_station(model.description)) {
-    results.assumptions.emplace_back(
-        "Sensitivities hold the vessel where it lies; what keeps it there would let it follow.");
+    results.assumptions.push_back(
+        {AssumptionRank::other,
+         "Sensitivities hold the vessel where it lies; what keeps it there would let it follow."});
   }
   const bool all_given =
       std::ranges::all_of(results.inputs, [](const SensitivityInput& input) { return input.own_tolerance; });
   if (!all_given) {
-    results.assumptions.emplace_back(
-        "Where sensitivities.tolerances says nothing, the tolerance is 10 mm for places, 0.1 deg for angles and 1 % of "
-        "anything else.");
+    results.assumptions.push_back({AssumptionRank::other,
+                                   "Where sensitivities.tolerances says nothing, the tolerance is 10 mm for places, "
+                                   "0.1 deg for angles and 1 % of "
+                                   "anything else."});
   }
 }
 

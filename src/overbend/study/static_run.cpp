@@ -20,7 +20,7 @@ StaticResults unjudged_statics(const Model& model, const LayOutcome& lay) {
   StaticResults results = recover_in_current(model, *lay.solution);
   if (lay.moorings) {
     results.findings = merge(std::move(results.findings), lay.moorings->findings);
-    results.assumptions = together(std::move(results.assumptions), lay.moorings->assumptions);
+    results.assumptions = merge(std::move(results.assumptions), lay.moorings->assumptions);
     if (std::optional<Finding> finding = find_side_roller_contact(model.description, results)) {
       results.findings.push_back(std::move(*finding));
     }
@@ -59,7 +59,7 @@ std::optional<HullResults> told_hull(const Model& model, const MooredState* rest
     std::optional<HullAccount> account = hull_account(model, rest);
     if (!account) return std::nullopt;
     into.findings = merge(std::move(into.findings), account->findings);
-    into.assumptions = together(std::move(into.assumptions), account->assumptions);
+    into.assumptions = merge(std::move(into.assumptions), account->assumptions);
     return std::move(account->results);
   } catch (const std::invalid_argument& fault) {  // statics stand without it; a run in time will be refused
     into.findings.push_back({FindingCode::hull_not_evaluated,

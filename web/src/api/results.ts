@@ -439,6 +439,7 @@ export interface DynamicSummary {
   build_up: number;
   output_step: number;
   seed: number;
+  assumption_ranks: string[];
   assumptions: string[];
   warnings: string[];
   findings: Finding[];
