@@ -2,9 +2,9 @@
 /// its random sea with resolved impacts.
 #include <benchmark/benchmark.h>
 
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "recording/run_dynamics.h"
-#include "statics/recovery.h"
+#include "statics/recovery/recovery.h"
 
 namespace overbend {
 namespace {

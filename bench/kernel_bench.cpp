@@ -2,9 +2,9 @@
 /// energies, factors and solutions.
 #include <benchmark/benchmark.h>
 
-#include "dynamics/dynamic_setup.h"
+#include "dynamics/setup/dynamic_setup.h"
 #include "mechanics/quadrature.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "numerics/block_tridiagonal.h"
 
 namespace overbend {

@@ -12,8 +12,8 @@
 #include <string>
 
 #include "base/random.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/moored_lay.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/moored/moored_lay.h"
 
 namespace overbend {
 namespace {

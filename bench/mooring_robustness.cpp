@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "model/line_types.h"
+#include "model/pipe/line_types.h"
 #include "moorings/equilibrium.h"
 
 namespace overbend {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "modelfile/yaml_reader.h"
-#include "study/lay_operation.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "study/stages/lay_operation.h"
 
 namespace overbend {
 namespace {

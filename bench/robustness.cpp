@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "random_lays.h"
-#include "statics/recovery.h"
-#include "statics/statics.h"
+#include "statics/recovery/recovery.h"
+#include "statics/solver/statics.h"
 
 namespace overbend {
 namespace {

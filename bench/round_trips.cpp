@@ -12,7 +12,7 @@
 #include <map>
 
 #include "random_lays.h"
-#include "statics/recovery.h"
+#include "statics/recovery/recovery.h"
 
 namespace overbend {
 namespace {

@@ -14,9 +14,9 @@
 #include <numeric>
 #include <string>
 
-#include "dynamics/simulation.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/recovery.h"
+#include "dynamics/run/simulation.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/recovery/recovery.h"
 
 namespace overbend {
 namespace {

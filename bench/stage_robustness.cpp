@@ -10,9 +10,9 @@
 #include <string>
 
 #include "model/lay_stage.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/moored_lay.h"
-#include "statics/stage_shape.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/initial_shape/stage_shape.h"
+#include "statics/moored/moored_lay.h"
 
 namespace overbend {
 namespace {

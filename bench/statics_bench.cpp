@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "modelfile/yaml_reader.h"
-#include "statics/current_effect.h"
-#include "statics/recovery.h"
-#include "statics/statics.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/recovery/current_effect.h"
+#include "statics/recovery/recovery.h"
+#include "statics/solver/statics.h"
 
 namespace overbend {
 namespace {

@@ -14,8 +14,8 @@
 #include <string>
 #include <thread>
 
-#include "modelfile/study_reader.h"
-#include "study/study_runner.h"
+#include "modelfile/study_file/study_reader.h"
+#include "study/campaign/study_runner.h"
 
 namespace overbend {
 namespace {

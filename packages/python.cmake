@@ -22,7 +22,7 @@ endif()" COMPONENT python)
 install(TARGETS overbend_python LIBRARY DESTINATION "\${python_dir}/overbend" COMPONENT python)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/overbend DESTINATION "\${python_dir}" COMPONENT python
         FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
-install(FILES ${PROJECT_SOURCE_DIR}/src/overbend/dynamics/overbend_controller.h
+install(FILES ${PROJECT_SOURCE_DIR}/src/overbend/dynamics/machines/overbend_controller.h
         DESTINATION "\${python_dir}/overbend/include" COMPONENT python)
 install(FILES ${METADATA} ${INSTALLER} DESTINATION "\${python_dir}/overbend-${PROJECT_VERSION}.dist-info"
         COMPONENT python)

@@ -8,7 +8,7 @@
 
 #include "app/commands.h"
 #include "recording/run_dynamics.h"
-#include "study/static_run.h"
+#include "study/run/static_run.h"
 #include "support/memory_sink.h"
 
 namespace overbend {

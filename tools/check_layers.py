@@ -3,7 +3,7 @@
 
     tools/check_layers.py [ROOT]     ROOT is the repository (default: the one this file lies in)
 
-The plan is the two tables below; ARCHITECTURE.md explains it. Exit code 0: clean; 1: offences; 2: nothing to check.
+The plan is the three tables below; ARCHITECTURE.md explains it. Exit code 0: clean; 1: offences; 2: nothing to check.
 """
 
 import pathlib
@@ -42,6 +42,21 @@ MAY_INCLUDE = {
     "app": EVERYTHING - {"python"},
 }
 
+# Layers in sub-rooms, lowest first: a file may include those of its own room that stand before its sub-room. "" is the
+# room itself: what stands above all of its sub-rooms.
+SUB_ROOMS = {
+    "model": ["waves", "description", "pipe", "site", "vessel", ""],
+    "results": ["", "fields"],
+    "statics": ["initial_shape", "equations", "solver", "stinger", "recovery", "moored"],
+    "dynamics": ["machines", "integrator", "setup", "run"],
+    "modelfile": ["schema", "fields", "binding", "checks", "yaml", "reading", "study_file"],
+    "resultfiles": ["hdf5", "summary", "tables", "moored", "static", "dynamic", "stages", "studies", "lines"],
+    "study": ["sampling", "run", "seeds", "sensitivity", "stages", "compare", "goal_seek", "lay_table", "cases", "operability",
+              "campaign", "cluster"],
+    "report": ["page", "static", "dynamic", "moored", "stages", "studies", ""],
+    "serve": ["embedded", "http", "answers", "model", "runs", ""],
+}
+
 # How a library's headers begin -> the layers that may use it. A library that is not here may not be used anywhere.
 LIBRARIES = [
     ("Eigen/", EVERYTHING),
@@ -65,15 +80,45 @@ SYSTEM_LAYERS = {"base", "runstore", "resultfiles", "study", "serve", "app"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"(?P<own>[^"]+)"|<(?P<angle>[^>]+)>)')
 
 
-def offence_of_own(layer, header):
-    """Why a file of `layer` may not include "header", or None."""
+def sub_room(path):
+    """The sub-room of a file given from src/overbend, "" for one that stands in the room itself."""
+    parts = path.split("/")
+    return parts[1] if len(parts) > 2 else ""
+
+
+def offence_of_place(relative):
+    """Why a file may not stand where it does, or None."""
+    room = relative.split("/")[0]
+    if "/" not in relative or room not in MAY_INCLUDE:
+        return f"{relative} lies in no layer of the plan"
+    if sub_room(relative) not in SUB_ROOMS.get(room, [""]):
+        return f"{relative} lies in no sub-room of the plan ({', '.join(filter(None, SUB_ROOMS.get(room, [])))})"
+    return None
+
+
+def offence_in_room(relative, header):
+    """Why a file may not include a header of another sub-room of its own room, or None."""
+    order = SUB_ROOMS.get(relative.split("/")[0])
+    own, other = sub_room(relative), sub_room(header)
+    if order is None or other == own:
+        return None
+    if other not in order:
+        return f'"{header}" lies in no sub-room of the plan'
+    if order.index(other) > order.index(own):
+        return f'{own} may not include "{header}" ({own} stands below {other or "the room itself"})'
+    return None
+
+
+def offence_of_own(relative, header):
+    """Why a file given from src/overbend may not include "header", or None."""
+    layer = relative.split("/")[0]
     target, slash, _ = header.partition("/")
     if not slash or target not in MAY_INCLUDE:
         return f'"{header}" does not start at a layer; includes are written from src/overbend'
     if target != layer and target not in MAY_INCLUDE[layer]:
         allowed = ", ".join(sorted(MAY_INCLUDE[layer])) or "no other layer"
         return f'{layer} may not include "{header}" (it may see {allowed})'
-    return None
+    return offence_in_room(relative, header) if target == layer else None
 
 
 def offence_of_library(layer, header):
@@ -96,17 +141,18 @@ def offences(root):
     found, read = [], 0
     for path in sorted(p for p in source.rglob("*") if p.suffix in {".h", ".cpp"}):
         read += 1
-        relative = path.relative_to(source)
-        layer = relative.parts[0] if len(relative.parts) > 1 else ""
-        if layer not in MAY_INCLUDE:
-            found.append((path, 1, f"{relative} lies in no layer of the plan"))
+        relative = path.relative_to(source).as_posix()
+        layer = relative.split("/")[0]
+        misplaced = offence_of_place(relative)
+        if misplaced:
+            found.append((path, 1, misplaced))
             continue
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
             match = INCLUDE.match(line)
             if not match:
                 continue
             own, angle = match["own"], match["angle"]
-            reason = offence_of_own(layer, own) if own else offence_of_library(layer, angle)
+            reason = offence_of_own(relative, own) if own else offence_of_library(layer, angle)
             if reason:
                 found.append((path, number, reason))
     return found, read

@@ -143,11 +143,19 @@ def units(sources, largest):
     return made
 
 
+def room(source):
+    """The folder of the first level, with all of its sub-rooms."""
+    for folder in source.parents:
+        if folder.parent.name in ("overbend", "tests"):
+            return folder
+    return source.parent
+
+
 def named_units(sources, largest):
-    """Units with names, of one folder each: a change there compiles little of the others. What is left over in small
-    units is put together from all folders, since every unit costs the headers that nearly all read."""
+    """Units with names, of one room each: a change there compiles little of the others. What is left over in small
+    units is put together from all rooms, since every unit costs the headers that nearly all read."""
     left_over = []
-    for folder, inside in itertools.groupby(sources, lambda source: source.parent):
+    for folder, inside in itertools.groupby(sorted(sources), room):
         for number, unit in enumerate(units(inside, largest)):
             if 4 * len(unit) < 3 * largest:
                 left_over += unit

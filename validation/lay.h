@@ -5,8 +5,8 @@
 #include <string>
 
 #include "model/model.h"
-#include "statics/recovery.h"
-#include "statics/statics.h"
+#include "statics/recovery/recovery.h"
+#include "statics/solver/statics.h"
 
 namespace overbend::validation {
 

@@ -5,8 +5,8 @@
 #include "base/constants.h"
 #include "base/json.h"
 #include "groups.h"
-#include "modelfile/yaml_reader.h"
-#include "study/lay_operation.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "study/stages/lay_operation.h"
 
 namespace overbend::validation {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "statics/static_system.h"
+#include "statics/equations/static_system.h"
 
 namespace overbend::validation {
 

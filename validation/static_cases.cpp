@@ -8,7 +8,7 @@
 #include "base/json.h"
 #include "groups.h"
 #include "lay.h"
-#include "statics/touchdown.h"
+#include "statics/equations/touchdown.h"
 
 namespace overbend::validation {
 namespace {

@@ -6,9 +6,9 @@
 #include "base/json.h"
 #include "groups.h"
 #include "model/lay_stage.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/moored_lay.h"
-#include "statics/recovery.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/moored/moored_lay.h"
+#include "statics/recovery/recovery.h"
 
 namespace overbend::validation {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "base/json.h"
 #include "groups.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/recovery.h"
-#include "statics/statics.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/recovery/recovery.h"
+#include "statics/solver/statics.h"
 
 namespace overbend::validation {
 namespace {

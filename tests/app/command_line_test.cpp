@@ -4,8 +4,8 @@
 
 #include "app/program.h"
 #include "base/json.h"
-#include "model/fitted_circle.h"
-#include "modelfile/yaml_reader.h"
+#include "model/vessel/fitted_circle.h"
+#include "modelfile/reading/yaml_reader.h"
 
 namespace overbend {
 namespace {

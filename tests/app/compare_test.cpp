@@ -4,7 +4,7 @@
 #include "app/program.h"
 #include "app/small_lay.h"
 #include "base/json.h"
-#include "study/compare_gather.h"
+#include "study/seeds/compare_gather.h"
 #include "support/csv_text.h"
 #include "support/solved_case.h"
 

@@ -4,7 +4,7 @@
 
 #include "app/program.h"
 #include "app/small_lay.h"
-#include "resultfiles/hdf5_file.h"
+#include "resultfiles/hdf5/hdf5_file.h"
 #include "runstore/append_file.h"
 #include "support/size_limit.h"
 #include "support/solved_case.h"

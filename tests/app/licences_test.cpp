@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "app/program.h"
-#include "report/assets.h"
-#include "serve/page_files.h"
+#include "report/page/assets.h"
+#include "serve/http/page_files.h"
 
 namespace overbend {
 namespace {

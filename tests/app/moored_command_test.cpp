@@ -5,7 +5,7 @@
 
 #include "app/program.h"
 #include "base/json.h"
-#include "resultfiles/dynamic_reader.h"
+#include "resultfiles/dynamic/dynamic_reader.h"
 #include "support/program_path.h"
 
 namespace overbend {

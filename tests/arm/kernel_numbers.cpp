@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "dynamics/motion_kernel.h"
+#include "dynamics/integrator/motion_kernel.h"
 #include "hull/hull_waves_kernel.h"
 #include "mechanics/line_kernel.h"
 #include "mechanics/roller_kernel.h"

@@ -6,9 +6,9 @@
 #include "checks/check_station.h"
 #include "checks/run_checks.h"
 #include "model/lay_stage.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/moored_lay.h"
-#include "study/static_run.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/moored/moored_lay.h"
+#include "study/run/static_run.h"
 
 namespace overbend {
 namespace {

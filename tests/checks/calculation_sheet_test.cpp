@@ -9,9 +9,9 @@
 #include <map>
 
 #include "checks/run_checks.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/statics.h"
-#include "study/static_run.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/solver/statics.h"
+#include "study/run/static_run.h"
 #include "support/formula_value.h"
 
 namespace overbend {

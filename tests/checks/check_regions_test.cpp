@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "modelfile/yaml_reader.h"
-#include "study/static_run.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "study/run/static_run.h"
 
 namespace overbend {
 namespace {

@@ -10,9 +10,9 @@
 #include "checks/dnv_combined.h"
 #include "checks/dnv_strength.h"
 #include "checks/steel_grades.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/statics.h"
-#include "study/static_run.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/solver/statics.h"
+#include "study/run/static_run.h"
 
 namespace overbend {
 namespace {

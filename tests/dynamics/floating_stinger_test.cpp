@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "dynamics/dynamic_obstacle.h"
-#include "dynamics/simulation.h"
-#include "model/section.h"
-#include "modelfile/yaml_reader.h"
+#include "dynamics/run/simulation.h"
+#include "dynamics/setup/dynamic_obstacle.h"
+#include "model/pipe/section.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "seafiles/hydrodynamics_reader.h"
-#include "statics/moored_lay.h"
-#include "statics/recovery.h"
+#include "statics/moored/moored_lay.h"
+#include "statics/recovery/recovery.h"
 
 namespace overbend {
 namespace {

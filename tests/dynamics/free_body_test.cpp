@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/dynamic_checkpoint.h"
-#include "dynamics/energy_account.h"
+#include "dynamics/integrator/dynamic_checkpoint.h"
+#include "dynamics/integrator/energy_account.h"
 #include "support/allocation_count.h"
 #include "support/free_body.h"
 

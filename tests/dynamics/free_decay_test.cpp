@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "base/constants.h"
-#include "dynamics/simulation.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/moored_lay.h"
+#include "dynamics/run/simulation.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/moored/moored_lay.h"
 
 namespace overbend {
 namespace {

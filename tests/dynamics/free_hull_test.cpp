@@ -1,9 +1,9 @@
 /// The BGL-1 floating free under its pipe, held by springs in surge, sway and yaw: the first instant and some seconds.
 #include <gtest/gtest.h>
 
-#include "dynamics/dynamic_obstacle.h"
-#include "dynamics/simulation.h"
-#include "modelfile/yaml_reader.h"
+#include "dynamics/run/simulation.h"
+#include "dynamics/setup/dynamic_obstacle.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "seafiles/hydrodynamics_reader.h"
 
 namespace overbend {

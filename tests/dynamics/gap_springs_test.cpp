@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "dynamics/dynamic_setup.h"
-#include "statics/recovery.h"
+#include "dynamics/setup/dynamic_setup.h"
+#include "statics/recovery/recovery.h"
 #include "support/fixtures.h"
 #include "support/solved_case.h"
 

@@ -8,10 +8,10 @@
 #include <functional>
 
 #include "base/constants.h"
-#include "dynamics/dynamic_checkpoint.h"
-#include "dynamics/energy_account.h"
-#include "dynamics/time_step.h"
-#include "model/section.h"
+#include "dynamics/integrator/dynamic_checkpoint.h"
+#include "dynamics/integrator/energy_account.h"
+#include "dynamics/integrator/time_step.h"
+#include "model/pipe/section.h"
 #include "support/allocation_count.h"
 
 namespace overbend {

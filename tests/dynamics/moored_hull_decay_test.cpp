@@ -1,8 +1,8 @@
 /// BGL-1 without its pipe on eight quasi-static lines: decays in still water.
 #include <gtest/gtest.h>
 
-#include "dynamics/quasi_static_lines.h"
-#include "dynamics/time_step.h"
+#include "dynamics/integrator/time_step.h"
+#include "dynamics/setup/quasi_static_lines.h"
 #include "moorings/bgl1_spread.h"
 #include "support/free_body.h"
 #include "support/hull_case.h"

@@ -1,11 +1,11 @@
 /// BGL-1 pulled ahead in time, on lines of elements and on quasi-static ones.
-#include "dynamics/pull_ahead.h"
+#include "dynamics/setup/pull_ahead.h"
 
 #include <gtest/gtest.h>
 
-#include "dynamics/dynamic_obstacle.h"
-#include "dynamics/mooring_tension.h"
-#include "dynamics/simulation.h"
+#include "dynamics/machines/mooring_tension.h"
+#include "dynamics/run/simulation.h"
+#include "dynamics/setup/dynamic_obstacle.h"
 #include "support/moored_lay.h"
 
 namespace overbend {

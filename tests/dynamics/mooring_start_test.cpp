@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/moored_simulation.h"
-#include "dynamics/mooring_tension.h"
-#include "model/line_types.h"
+#include "dynamics/machines/mooring_tension.h"
+#include "dynamics/run/moored_simulation.h"
+#include "model/pipe/line_types.h"
 #include "support/moored_lay.h"
 
 namespace overbend {

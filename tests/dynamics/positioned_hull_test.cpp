@@ -5,11 +5,11 @@
 #include <numbers>
 #include <utility>
 
-#include "dynamics/moored_simulation.h"
-#include "dynamics/simulation.h"
+#include "dynamics/run/moored_simulation.h"
+#include "dynamics/run/simulation.h"
 #include "recording/run_dynamics.h"
 #include "recording/vessel_watch.h"
-#include "statics/recovery.h"
+#include "statics/recovery/recovery.h"
 #include "support/memory_sink.h"
 #include "support/moored_lay.h"
 

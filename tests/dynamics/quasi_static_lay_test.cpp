@@ -1,9 +1,9 @@
 /// BGL-1 afloat under its pipe on eight quasi-static mooring lines.
 #include <gtest/gtest.h>
 
-#include "dynamics/dynamic_obstacle.h"
-#include "dynamics/mooring_tension.h"
-#include "dynamics/simulation.h"
+#include "dynamics/machines/mooring_tension.h"
+#include "dynamics/run/simulation.h"
+#include "dynamics/setup/dynamic_obstacle.h"
 #include "support/moored_lay.h"
 
 namespace overbend {

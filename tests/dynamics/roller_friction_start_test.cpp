@@ -1,7 +1,7 @@
 // A run that starts from statics with friction on the rollers (analysis.static.roller_friction).
 #include <gtest/gtest.h>
 
-#include "dynamics/simulation.h"
+#include "dynamics/run/simulation.h"
 #include "support/bgl1_in_time.h"
 #include "support/moored_lay.h"
 

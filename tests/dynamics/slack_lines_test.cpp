@@ -1,9 +1,9 @@
 /// Lines that bear no compression, where they fall slack and snap tight, against a chain of lumped masses.
 #include <gtest/gtest.h>
 
-#include "dynamics/lines_in_time.h"
+#include "dynamics/run/lines_in_time.h"
 #include "mechanics/slack_law.h"
-#include "model/line_types.h"
+#include "model/pipe/line_types.h"
 #include "support/line_cases.h"
 #include "support/lumped_chain.h"
 

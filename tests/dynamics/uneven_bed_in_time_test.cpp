@@ -4,10 +4,10 @@
 #include <cmath>
 #include <memory>
 
-#include "dynamics/laid_tail.h"
-#include "dynamics/simulation.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/statics.h"
+#include "dynamics/run/simulation.h"
+#include "dynamics/setup/laid_tail.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/solver/statics.h"
 
 namespace overbend {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/constants.h"
-#include "model/section.h"
-#include "model/wave_theory.h"
+#include "model/pipe/section.h"
+#include "model/waves/wave_theory.h"
 
 namespace overbend {
 namespace {

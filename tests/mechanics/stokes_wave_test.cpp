@@ -6,8 +6,8 @@
 
 #include "base/constants.h"
 #include "mechanics/sea.h"
-#include "model/section.h"
-#include "model/wave_theory.h"
+#include "model/pipe/section.h"
+#include "model/waves/wave_theory.h"
 
 namespace overbend {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/constants.h"
-#include "model/wave_theory.h"
+#include "model/waves/wave_theory.h"
 #include "support/fixtures.h"
 #include "support/rao_files.h"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "support/rao_files.h"
 
 namespace overbend {

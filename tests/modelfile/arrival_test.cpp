@@ -1,8 +1,8 @@
 // Each key into the member that it says: a model in which no two numbers of a kind are alike.
 #include <gtest/gtest.h>
 
-#include "modelfile/binding.h"
-#include "modelfile/field_table.h"
+#include "modelfile/binding/binding.h"
+#include "modelfile/fields/field_table.h"
 
 namespace overbend {
 namespace {

@@ -1,5 +1,5 @@
 // Boxes told as a row, and the settings of a stinger.
-#include "model/box_row.h"
+#include "model/vessel/box_row.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <cstdio>
 
 #include "base/constants.h"
-#include "model/fitted_circle.h"
-#include "model/supports.h"
+#include "model/vessel/fitted_circle.h"
+#include "model/vessel/supports.h"
 #include "modelfile/model_texts.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 
 namespace overbend {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "model/fatigue_words.h"
+#include "model/description/fatigue_words.h"
 #include "modelfile/model_texts.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "support/fixtures.h"
 
 namespace overbend {

@@ -8,10 +8,10 @@
 #include <set>
 
 #include "base/yaml_document.h"
-#include "modelfile/field_table.h"
-#include "modelfile/field_tree.h"
+#include "modelfile/fields/field_table.h"
 #include "modelfile/model_texts.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "modelfile/schema/field_tree.h"
 
 namespace overbend {
 namespace {

@@ -8,7 +8,7 @@
 #include "model/model.h"
 #include "modelfile/model_texts.h"
 #include "modelfile/moored_texts.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 
 namespace overbend {
 namespace {

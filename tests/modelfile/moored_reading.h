@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 
 namespace overbend::testing {
 

@@ -9,13 +9,13 @@
 
 #include "base/constants.h"
 #include "base/yaml_document.h"
-#include "model/line_types.h"
 #include "model/model.h"
+#include "model/pipe/line_types.h"
 #include "modelfile/model_texts.h"
 #include "modelfile/moored_reading.h"
 #include "modelfile/moored_texts.h"
-#include "modelfile/yaml_edit.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "modelfile/yaml/yaml_edit.h"
 
 namespace overbend {
 namespace {

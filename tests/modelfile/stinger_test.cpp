@@ -4,7 +4,7 @@
 #include "base/constants.h"
 #include "model/lay_stage.h"
 #include "modelfile/model_texts.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 
 namespace overbend {
 namespace {

@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "model/model.h"
-#include "modelfile/model_inputs.h"
+#include "modelfile/binding/model_inputs.h"
 #include "modelfile/model_texts.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 
 namespace overbend {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "modelfile/model_texts.h"
 #include "modelfile/moored_texts.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 
 namespace overbend {
 namespace {

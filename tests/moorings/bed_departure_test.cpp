@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "model/bed_shape.h"
+#include "model/site/bed_shape.h"
 
 namespace overbend {
 namespace {

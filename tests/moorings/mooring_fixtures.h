@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/json.h"
-#include "model/description.h"
+#include "model/description/description.h"
 
 namespace overbend {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 
 namespace overbend {
 namespace {

@@ -7,10 +7,10 @@
 #include <functional>
 
 #include "checks/run_checks.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "recording/run_dynamics.h"
-#include "resultfiles/summary_json.h"
-#include "study/static_run.h"
+#include "resultfiles/summary/summary_json.h"
+#include "study/run/static_run.h"
 #include "support/memory_sink.h"
 
 namespace overbend {

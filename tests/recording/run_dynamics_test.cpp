@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "numerics/running_quantiles.h"
 #include "support/allocation_count.h"
 #include "support/bgl1_in_time.h"

@@ -7,7 +7,7 @@
 #include "checks/check_station.h"
 #include "recording/dynamic_stations.h"
 #include "recording/run_dynamics.h"
-#include "statics/static_system.h"
+#include "statics/equations/static_system.h"
 #include "support/bgl1_in_time.h"
 #include "support/memory_sink.h"
 

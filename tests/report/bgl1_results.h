@@ -7,9 +7,9 @@
 #include <string>
 
 #include "model/model.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/statics.h"
-#include "study/static_run.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/solver/statics.h"
+#include "study/run/static_run.h"
 
 namespace overbend::testing {
 

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "report/bgl1_results.h"
-#include "report/operation_report.h"
 #include "report/report.h"
-#include "report/study_page.h"
+#include "report/stages/operation_report.h"
+#include "report/studies/study_page.h"
 #include "report/synthetic_dynamics.h"
 #include "report/synthetic_moorings.h"
 #include "report/synthetic_operation.h"

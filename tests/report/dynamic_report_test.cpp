@@ -8,11 +8,11 @@
 
 #include "base/json.h"
 #include "report/bgl1_results.h"
-#include "report/html.h"
+#include "report/page/html.h"
+#include "report/page/quantity.h"
 #include "report/page_text.h"
-#include "report/quantity.h"
 #include "report/report.h"
-#include "report/report_data.h"
+#include "report/studies/report_data.h"
 #include "report/synthetic_dynamics.h"
 
 namespace overbend {

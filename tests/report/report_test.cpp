@@ -8,10 +8,10 @@
 
 #include "base/json.h"
 #include "report/bgl1_results.h"
-#include "report/html.h"
+#include "report/page/html.h"
+#include "report/page/places.h"
 #include "report/page_text.h"
-#include "report/places.h"
-#include "report/report_data.h"
+#include "report/studies/report_data.h"
 
 namespace overbend {
 namespace {

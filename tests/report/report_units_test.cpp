@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "report/bgl1_results.h"
-#include "report/lay_table_page.h"
-#include "report/operation_report.h"
+#include "report/page/quantity.h"
 #include "report/page_text.h"
-#include "report/quantity.h"
 #include "report/report.h"
-#include "report/seek_words.h"
-#include "report/study_page.h"
+#include "report/stages/operation_report.h"
+#include "report/studies/lay_table_page.h"
+#include "report/studies/seek_words.h"
+#include "report/studies/study_page.h"
 #include "report/synthetic_dynamics.h"
 #include "report/synthetic_moorings.h"
 #include "report/synthetic_operation.h"
 #include "report/synthetic_study.h"
-#include "study/lay_table.h"
+#include "study/lay_table/lay_table.h"
 #include "support/us_units.h"
 
 namespace overbend {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "report/bgl1_results.h"
-#include "report/places.h"
+#include "report/page/places.h"
 
 namespace overbend::testing {
 namespace {

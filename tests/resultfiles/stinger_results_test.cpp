@@ -1,9 +1,9 @@
 // A stinger on hinges in the files.
 #include <gtest/gtest.h>
 
-#include "resultfiles/results_reader.h"
-#include "resultfiles/results_writer.h"
-#include "resultfiles/summary_json.h"
+#include "resultfiles/static/results_reader.h"
+#include "resultfiles/static/results_writer.h"
+#include "resultfiles/summary/summary_json.h"
 #include "results/fields/stinger_fields.h"
 #include "support/result_visitors.h"
 #include "support/solved_case.h"

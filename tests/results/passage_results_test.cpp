@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "report/passage_section.h"
-#include "resultfiles/passage_json.h"
+#include "report/static/passage_section.h"
+#include "resultfiles/static/passage_json.h"
 
 namespace overbend {
 namespace {

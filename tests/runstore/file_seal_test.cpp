@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "resultfiles/results_reader.h"
-#include "resultfiles/results_writer.h"
+#include "resultfiles/static/results_reader.h"
+#include "resultfiles/static/results_writer.h"
 #include "support/solved_case.h"
 
 namespace overbend {

@@ -4,7 +4,7 @@
 
 #include "base/constants.h"
 #include "hull/made_radiation.h"
-#include "model/wave_theory.h"
+#include "model/waves/wave_theory.h"
 
 namespace overbend {
 namespace {

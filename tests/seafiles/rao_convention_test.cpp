@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "base/constants.h"
-#include "model/wave_theory.h"
+#include "model/waves/wave_theory.h"
 
 namespace overbend {
 namespace {

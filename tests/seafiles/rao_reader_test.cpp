@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "base/constants.h"
-#include "model/wave_theory.h"
+#include "model/waves/wave_theory.h"
 #include "modelfile/model_texts.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "support/rao_files.h"
 
 namespace overbend {

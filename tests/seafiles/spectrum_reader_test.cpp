@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "modelfile/model_texts.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 
 namespace overbend {
 namespace {

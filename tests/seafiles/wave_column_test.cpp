@@ -9,7 +9,7 @@
 
 #include "base/constants.h"
 #include "hull/made_radiation.h"
-#include "model/wave_theory.h"
+#include "model/waves/wave_theory.h"
 #include "support/rao_files.h"
 
 namespace overbend {

@@ -2,9 +2,9 @@
 #include <atomic>
 #include <memory>
 
-#include "serve/connection.h"
-#include "serve/doorkeeper.h"
-#include "serve/peer.h"
+#include "serve/http/connection.h"
+#include "serve/http/doorkeeper.h"
+#include "serve/http/peer.h"
 #include "serve/raw_client.h"
 #include "serve/serving.h"
 

@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "base/interruption.h"
-#include "serve/http.h"
-#include "serve/model_fields.h"
+#include "serve/http/http.h"
+#include "serve/model/model_fields.h"
 #include "serve/serving.h"
 
 namespace overbend {

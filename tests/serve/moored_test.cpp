@@ -1,8 +1,8 @@
 // Models without a pipe, and a lay on mooring lines: statics, scene and runs as the page gets them.
 #include "modelfile/moored_texts.h"
 #include "serve/serving.h"
-#include "statics/moored_lay.h"
-#include "study/lines_run.h"
+#include "statics/moored/moored_lay.h"
+#include "study/run/lines_run.h"
 #include "support/solved_case.h"
 
 namespace overbend {

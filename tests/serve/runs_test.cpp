@@ -1,7 +1,7 @@
 // Runs: queued, followed, stopped, read.
-#include "resultfiles/dynamic_reader.h"
-#include "serve/base64.h"
-#include "serve/run_data.h"
+#include "resultfiles/dynamic/dynamic_reader.h"
+#include "serve/http/base64.h"
+#include "serve/runs/run_data.h"
 #include "serve/serving.h"
 
 namespace overbend {

@@ -1,9 +1,9 @@
 // Boxes that give under the pipe.
 #include <gtest/gtest.h>
 
-#include "modelfile/yaml_reader.h"
-#include "statics/recovery.h"
-#include "statics/statics.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/recovery/recovery.h"
+#include "statics/solver/statics.h"
 
 namespace overbend {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "base/constants.h"
 #include "model/lay_route.h"
-#include "statics/recovery.h"
-#include "statics/statics.h"
+#include "statics/recovery/recovery.h"
+#include "statics/solver/statics.h"
 #include "support/fixtures.h"
 
 namespace overbend {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "modelfile/yaml_reader.h"
-#include "statics/friction_cases.h"
-#include "statics/recovery.h"
-#include "statics/statics.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/recovery/friction_cases.h"
+#include "statics/recovery/recovery.h"
+#include "statics/solver/statics.h"
 
 namespace overbend {
 namespace {

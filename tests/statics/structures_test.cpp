@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "statics/recovery.h"
-#include "statics/statics.h"
+#include "statics/recovery/recovery.h"
+#include "statics/solver/statics.h"
 #include "support/fixtures.h"
 #include "support/solved_case.h"
 

@@ -1,9 +1,9 @@
 // The line's inclination at the tensioner, against the elastica by collocation.
 #include <gtest/gtest.h>
 
-#include "modelfile/yaml_reader.h"
-#include "statics/moored_lay.h"
-#include "study/static_run.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/moored/moored_lay.h"
+#include "study/run/static_run.h"
 
 namespace overbend {
 namespace {

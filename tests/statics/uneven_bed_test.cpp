@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "base/json.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/recovery.h"
-#include "statics/statics.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/recovery/recovery.h"
+#include "statics/solver/statics.h"
 
 namespace overbend {
 namespace {

@@ -3,14 +3,14 @@
 
 #include "base/json.h"
 #include "checks/run_checks.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "recording/run_dynamics.h"
-#include "resultfiles/dynamic_reader.h"
-#include "resultfiles/dynamic_writer.h"
-#include "resultfiles/long_data_reader.h"
-#include "study/dynamic_finish.h"
-#include "study/motion_parts.h"
-#include "study/static_run.h"
+#include "resultfiles/dynamic/dynamic_reader.h"
+#include "resultfiles/dynamic/dynamic_writer.h"
+#include "resultfiles/dynamic/long_data_reader.h"
+#include "study/run/dynamic_finish.h"
+#include "study/run/motion_parts.h"
+#include "study/run/static_run.h"
 #include "support/solved_case.h"
 
 namespace overbend {

@@ -5,14 +5,14 @@
 #include <functional>
 
 #include "base/json.h"
-#include "model/stinger_turn.h"
-#include "modelfile/seek_reader.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/moored_lay.h"
-#include "statics/recovery.h"
-#include "study/lay_operation.h"
-#include "study/seek.h"
-#include "study/sensitivity_lay.h"
+#include "model/vessel/stinger_turn.h"
+#include "modelfile/reading/seek_reader.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/moored/moored_lay.h"
+#include "statics/recovery/recovery.h"
+#include "study/goal_seek/seek.h"
+#include "study/sensitivity/sensitivity_lay.h"
+#include "study/stages/lay_operation.h"
 #include "support/solved_case.h"
 
 namespace overbend {

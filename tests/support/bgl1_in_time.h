@@ -4,10 +4,10 @@
 #include <functional>
 
 #include "checks/run_checks.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "recording/run_dynamics.h"
-#include "statics/recovery.h"
-#include "study/static_run.h"
+#include "statics/recovery/recovery.h"
+#include "study/run/static_run.h"
 
 namespace overbend::testing {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 
 namespace overbend::testing {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/lines_in_time.h"
+#include "dynamics/run/lines_in_time.h"
 #include "support/fixtures.h"
 
 namespace overbend::testing {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "modelfile/yaml_reader.h"
-#include "statics/moored_lay.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/moored/moored_lay.h"
 
 namespace overbend::testing {
 

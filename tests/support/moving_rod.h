@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/time_step.h"
+#include "dynamics/integrator/time_step.h"
 #include "system/assembly.h"
 
 namespace overbend::testing {

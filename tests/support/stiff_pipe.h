@@ -1,7 +1,7 @@
 /// A 42-inch concrete-coated pipe in 12 m of water: so stiff that shear has a percent of its pull at touchdown.
 #pragma once
 
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 
 namespace overbend::testing {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dynamics/run_setup.h"
+#include "dynamics/setup/run_setup.h"
 #include "support/bgl1_in_time.h"
 #include "support/fixtures.h"
 #include "support/free_body.h"

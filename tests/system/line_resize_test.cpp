@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "base/simd.h"
-#include "dynamics/time_step.h"
+#include "dynamics/integrator/time_step.h"
 #include "mechanics/quadrature.h"
 #include "support/moving_rod.h"
 

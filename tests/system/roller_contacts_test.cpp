@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "support/dynamic_benchmarks.h"
 #include "support/solved_case.h"
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "modelfile/yaml_reader.h"
-#include "statics/recovery.h"
-#include "statics/statics.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/recovery/recovery.h"
+#include "statics/solver/statics.h"
 
 namespace overbend {
 namespace {

@@ -6,9 +6,9 @@
 #include <functional>
 #include <numbers>
 
-#include "modelfile/yaml_reader.h"
-#include "statics/recovery.h"
-#include "statics/statics.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "statics/recovery/recovery.h"
+#include "statics/solver/statics.h"
 #include "support/fixtures.h"
 
 namespace overbend {

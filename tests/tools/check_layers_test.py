@@ -12,9 +12,9 @@ CLEAN = {
     "base/units.cpp": ["#include <udunits2.h>", "#include <vector>"],
     "model/model.h": ['#include "base/vec.h"', "#include <Eigen/Core>"],
     "mechanics/rod.cpp": ['#include "model/model.h"', '#include "mechanics/rod.h"'],
-    "modelfile/reader.cpp": ["#include <yaml-cpp/yaml.h>", "#include \"seafiles/rao.h\""],
-    "resultfiles/writer.cpp": ["#include <hdf5.h>", "#include <xlsxwriter.h>", "#include \"results/fields.h\""],
-    "app/main.cpp": ['#include "statics/statics.h"', "#include <CLI/CLI.hpp>"],
+    "modelfile/reading/reader.cpp": ["#include <yaml-cpp/yaml.h>", "#include \"seafiles/rao.h\""],
+    "resultfiles/hdf5/writer.cpp": ["#include <hdf5.h>", "#include <xlsxwriter.h>", "#include \"results/fields.h\""],
+    "app/main.cpp": ['#include "statics/solver/statics.h"', "#include <CLI/CLI.hpp>"],
 }
 
 
@@ -41,14 +41,26 @@ class CheckLayers(unittest.TestCase):
         self.assertEqual(code, 0, output)
 
     def test_an_upward_include_is_caught(self):
-        self.assert_caught("model/bad.h", '#include "statics/statics.h"')
+        self.assert_caught("model/bad.h", '#include "statics/solver/statics.h"')
 
     def test_an_analysis_that_knows_its_checks_or_its_recorder_is_caught(self):
-        self.assert_caught("statics/bad.cpp", '#include "checks/run_checks.h"')
-        self.assert_caught("dynamics/bad.cpp", '#include "recording/dynamic_recorder.h"')
+        self.assert_caught("statics/solver/bad.cpp", '#include "checks/run_checks.h"')
+        self.assert_caught("dynamics/run/bad.cpp", '#include "recording/dynamic_recorder.h"')
 
     def test_a_sideways_include_is_caught(self):
         self.assert_caught("numerics/bad.h", '#include "model/model.h"')
+
+    def test_an_include_of_a_later_sub_room_is_caught(self):
+        self.assert_caught("statics/equations/bad.cpp", '#include "statics/solver/statics.h"')
+        self.assert_caught("model/pipe/bad.h", '#include "model/model.h"')
+
+    def test_an_include_of_an_earlier_sub_room_passes(self):
+        code, output = run_on({**CLEAN, "statics/solver/good.cpp": ['#include "statics/equations/static_system.h"']})
+        self.assertEqual(code, 0, output)
+
+    def test_a_file_beside_the_sub_rooms_is_caught(self):
+        self.assert_caught("statics/bad.cpp", "#include <vector>", line=1)
+        self.assert_caught("statics/elsewhere/bad.cpp", "#include <vector>", line=1)
 
     def test_a_spaced_include_is_caught(self):
         self.assert_caught("base/bad.h", '  #  include "model/model.h"')
@@ -60,7 +72,7 @@ class CheckLayers(unittest.TestCase):
         self.assert_caught("system/bad.cpp", "#include <hdf5_hl.h>")
 
     def test_udunits_outside_base_is_caught(self):
-        self.assert_caught("modelfile/bad.cpp", "#include <udunits2.h>")
+        self.assert_caught("modelfile/reading/bad.cpp", "#include <udunits2.h>")
 
     def test_an_unplanned_library_is_caught(self):
         self.assert_caught("system/bad.cpp", "#include <boost/any.hpp>")

@@ -15,11 +15,11 @@
 #include "model/box_dip.h"
 #include "model/material_words.h"
 #include "model/model.h"
-#include "model/rao_limits.h"
-#include "report/quantity.h"
-#include "study/input_findings.h"
-#include "study/lay_operation.h"
-#include "study/prepared_case.h"
+#include "model/vessel/rao_limits.h"
+#include "report/page/quantity.h"
+#include "study/run/input_findings.h"
+#include "study/run/prepared_case.h"
+#include "study/stages/lay_operation.h"
 
 namespace overbend {
 namespace {

@@ -4,12 +4,12 @@
 
 #include "app/check_lines.h"
 #include "app/commands.h"
-#include "resultfiles/operation_reader.h"
+#include "resultfiles/stages/operation_reader.h"
 #include "results/findings.h"
 #include "results/worst_stage.h"
 #include "runstore/staged_folder.h"
-#include "study/operation_run.h"
-#include "study/recheck.h"
+#include "study/run/operation_run.h"
+#include "study/run/recheck.h"
 
 namespace overbend {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/unfinished_run.h"
-#include "model/description.h"
+#include "model/description/description.h"
 #include "model/new_model.h"
-#include "study/run_ending.h"
+#include "study/run/run_ending.h"
 
 namespace overbend {
 

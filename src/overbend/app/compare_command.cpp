@@ -8,8 +8,8 @@
 #include "app/finding_lines.h"
 #include "app/follow_study.h"
 #include "base/finding.h"
-#include "resultfiles/seeds_writer.h"
-#include "study/compare_variants.h"
+#include "resultfiles/studies/seeds_writer.h"
+#include "study/seeds/compare_variants.h"
 
 namespace overbend {
 namespace {

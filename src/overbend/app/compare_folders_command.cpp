@@ -8,10 +8,10 @@
 #include "app/exit_code.h"
 #include "base/finding.h"
 #include "base/shown_unit.h"
-#include "report/folder_comparison_page.h"
-#include "resultfiles/folder_comparison_writer.h"
+#include "report/studies/folder_comparison_page.h"
+#include "resultfiles/studies/folder_comparison_writer.h"
 #include "runstore/staged_folder.h"
-#include "study/folder_compare.h"
+#include "study/compare/folder_compare.h"
 
 namespace overbend {
 namespace {

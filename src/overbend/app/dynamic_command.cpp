@@ -16,11 +16,11 @@
 #include "base/shown_unit.h"
 #include "model/model.h"
 #include "model/model_findings.h"
-#include "resultfiles/dynamic_reader.h"
+#include "resultfiles/dynamic/dynamic_reader.h"
 #include "results/findings.h"
-#include "study/lines_run.h"
-#include "study/run_folder.h"
-#include "study/stage_choice.h"
+#include "study/run/lines_run.h"
+#include "study/run/run_folder.h"
+#include "study/stages/stage_choice.h"
 
 namespace overbend {
 namespace {

@@ -1,7 +1,7 @@
 /// How the program ends.
 #pragma once
 
-#include "study/run_ending.h"
+#include "study/run/run_ending.h"
 
 namespace overbend {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "study/study.h"
+#include "study/seeds/study.h"
 
 namespace overbend {
 

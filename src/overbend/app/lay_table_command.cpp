@@ -8,11 +8,11 @@
 #include "app/exit_code.h"
 #include "app/finding_lines.h"
 #include "base/shown_unit.h"
-#include "resultfiles/lay_table_writer.h"
+#include "resultfiles/studies/lay_table_writer.h"
 #include "runstore/staged_folder.h"
 #include "seafiles/route_depths_reader.h"
-#include "study/lay_table.h"
-#include "study/lay_table_range.h"
+#include "study/lay_table/lay_table.h"
+#include "study/lay_table/lay_table_range.h"
 
 namespace overbend {
 namespace {

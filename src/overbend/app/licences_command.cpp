@@ -2,7 +2,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "serve/page_files.h"
+#include "serve/http/page_files.h"
 
 namespace overbend {
 

@@ -13,13 +13,13 @@
 #include "app/progress.h"
 #include "base/finding.h"
 #include "base/shown_unit.h"
-#include "dynamics/dynamic_obstacle.h"
-#include "resultfiles/lines_writer.h"
+#include "dynamics/setup/dynamic_obstacle.h"
+#include "resultfiles/lines/lines_writer.h"
 #include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
-#include "study/case.h"
-#include "study/lines_run.h"
-#include "study/prepared_case.h"
+#include "study/run/case.h"
+#include "study/run/lines_run.h"
+#include "study/run/prepared_case.h"
 
 namespace overbend {
 namespace {

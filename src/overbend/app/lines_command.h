@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/unfinished_run.h"
-#include "model/description.h"
+#include "model/description/description.h"
 
 namespace overbend {
 

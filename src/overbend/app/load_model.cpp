@@ -6,7 +6,7 @@
 
 #include "app/commands.h"
 #include "base/units.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "runstore/written_files.h"
 
 namespace overbend {

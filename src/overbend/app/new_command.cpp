@@ -8,7 +8,7 @@
 #include "app/exit_code.h"
 #include "app/new_questions.h"
 #include "runstore/replace_file.h"
-#include "study/new_lay.h"
+#include "study/run/new_lay.h"
 
 namespace overbend {
 namespace {

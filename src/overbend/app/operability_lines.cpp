@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "resultfiles/operability_table.h"
+#include "resultfiles/studies/operability_table.h"
 
 namespace overbend {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "study/operability_study.h"
+#include "study/operability/operability_study.h"
 
 namespace overbend {
 

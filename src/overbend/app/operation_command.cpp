@@ -11,9 +11,9 @@
 #include "results/findings.h"
 #include "results/worst_stage.h"
 #include "runstore/staged_folder.h"
-#include "study/lay_operation.h"
-#include "study/operation_run.h"
-#include "study/prepared_case.h"
+#include "study/run/operation_run.h"
+#include "study/run/prepared_case.h"
+#include "study/stages/lay_operation.h"
 
 namespace overbend {
 namespace {

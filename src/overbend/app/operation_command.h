@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "model/description.h"
+#include "model/description/description.h"
 
 namespace overbend {
 

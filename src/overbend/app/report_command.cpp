@@ -1,5 +1,5 @@
-#include "report/operation_report.h"
 #include "report/report.h"
+#include "report/stages/operation_report.h"
 
 #include <filesystem>
 #include <iostream>
@@ -7,10 +7,10 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/pdf.h"
-#include "resultfiles/dynamic_reader.h"
-#include "resultfiles/lines_reader.h"
-#include "resultfiles/operation_reader.h"
-#include "resultfiles/results_reader.h"
+#include "resultfiles/dynamic/dynamic_reader.h"
+#include "resultfiles/lines/lines_reader.h"
+#include "resultfiles/stages/operation_reader.h"
+#include "resultfiles/static/results_reader.h"
 
 namespace overbend {
 

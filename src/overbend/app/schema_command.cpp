@@ -3,9 +3,9 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "base/findings_page.h"
-#include "modelfile/json_schema.h"
-#include "modelfile/reference_page.h"
-#include "serve/type_style.h"
+#include "modelfile/reading/json_schema.h"
+#include "modelfile/reading/reference_page.h"
+#include "serve/answers/type_style.h"
 
 namespace overbend {
 

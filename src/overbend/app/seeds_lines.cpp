@@ -8,7 +8,7 @@
 #include "app/check_lines.h"
 #include "app/finding_lines.h"
 #include "base/finding.h"
-#include "resultfiles/seeds_writer.h"
+#include "resultfiles/studies/seeds_writer.h"
 
 namespace overbend {
 namespace {

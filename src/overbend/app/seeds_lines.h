@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/exit_code.h"
-#include "study/study.h"
+#include "study/seeds/study.h"
 
 namespace overbend {
 

@@ -5,9 +5,9 @@
 #include "app/exit_code.h"
 #include "app/finding_lines.h"
 #include "app/seek_lines.h"
-#include "modelfile/seek_reader.h"
+#include "modelfile/reading/seek_reader.h"
 #include "runstore/staged_folder.h"
-#include "study/seek_run.h"
+#include "study/goal_seek/seek_run.h"
 
 namespace overbend {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "report/seek_words.h"
+#include "report/studies/seek_words.h"
 
 namespace overbend {
 namespace {

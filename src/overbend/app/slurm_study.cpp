@@ -10,8 +10,8 @@
 #include "app/exit_code.h"
 #include "app/interruption.h"
 #include "base/text.h"
-#include "study/study_folder.h"
-#include "study/study_units.h"
+#include "study/campaign/study_folder.h"
+#include "study/campaign/study_units.h"
 
 namespace overbend {
 namespace {

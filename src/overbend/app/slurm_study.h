@@ -1,8 +1,8 @@
 /// `overbend study --on slurm`, `--watch` and `--resubmit`.
 #pragma once
 
-#include "study/case_evaluation.h"
-#include "study/slurm.h"
+#include "study/cases/case_evaluation.h"
+#include "study/cluster/slurm.h"
 
 namespace overbend {
 

@@ -6,8 +6,8 @@
 
 #include "base/shown_unit.h"
 #include "base/text.h"
+#include "model/description/operation_words.h"
 #include "model/lay_stage.h"
-#include "model/operation_words.h"
 #include "results/sagbend.h"
 
 namespace overbend {

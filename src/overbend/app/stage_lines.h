@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "model/description.h"
+#include "model/description/description.h"
 #include "results/operation_results.h"
 
 namespace overbend {

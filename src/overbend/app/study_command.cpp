@@ -17,11 +17,11 @@
 #include "app/operability_lines.h"
 #include "app/slurm_study.h"
 #include "app/study_lines.h"
-#include "modelfile/study_reader.h"
+#include "modelfile/study_file/study_reader.h"
 #include "runstore/staged_folder.h"
-#include "study/operability_folder.h"
-#include "study/study_findings.h"
-#include "study/whole_study.h"
+#include "study/campaign/study_findings.h"
+#include "study/campaign/whole_study.h"
+#include "study/operability/operability_folder.h"
 
 namespace overbend {
 namespace {

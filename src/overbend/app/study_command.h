@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "study/slurm_job.h"
+#include "study/cluster/slurm_job.h"
 
 namespace overbend {
 

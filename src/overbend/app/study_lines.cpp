@@ -12,9 +12,9 @@
 #include "app/finding_lines.h"
 #include "app/interruption.h"
 #include "app/operability_lines.h"
-#include "model/study_words.h"
-#include "resultfiles/study_writer.h"
-#include "results/fields/words.h"
+#include "model/description/study_words.h"
+#include "resultfiles/studies/study_writer.h"
+#include "results/result_words.h"
 
 namespace overbend {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "app/progress.h"
-#include "study/operability_plan.h"
-#include "study/study_probe.h"
-#include "study/study_runner.h"
+#include "study/campaign/study_probe.h"
+#include "study/campaign/study_runner.h"
+#include "study/operability/operability_plan.h"
 
 namespace overbend {
 

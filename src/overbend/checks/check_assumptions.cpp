@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "model/description_words.h"
+#include "model/description/description_words.h"
 
 namespace overbend {
 namespace {

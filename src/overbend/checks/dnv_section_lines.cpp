@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "checks/dnv_strength.h"
-#include "model/description_words.h"
+#include "model/description/description_words.h"
 
 namespace overbend {
 namespace {

@@ -7,7 +7,7 @@
 #include "checks/design_effect_lines.h"
 #include "checks/dnv_section_lines.h"
 #include "checks/dnv_strength.h"
-#include "model/description_words.h"
+#include "model/description/description_words.h"
 
 namespace overbend {
 namespace {

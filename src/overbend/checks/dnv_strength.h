@@ -5,7 +5,7 @@
 /// (docs/theory/checks.md); the standard's own pages have not been compared.
 #pragma once
 
-#include "model/check_settings.h"
+#include "model/description/check_settings.h"
 
 namespace overbend {
 

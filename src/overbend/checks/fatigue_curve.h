@@ -1,7 +1,7 @@
 /// S-N curves of DNV-RP-C203 and the hot spot factor of a girth weld.
 #pragma once
 
-#include "model/fatigue_description.h"
+#include "model/description/fatigue_description.h"
 
 namespace overbend {
 

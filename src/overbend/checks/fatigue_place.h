@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "checks/fatigue_curve.h"
-#include "model/section.h"
+#include "model/pipe/section.h"
 
 namespace overbend {
 

@@ -8,7 +8,7 @@
 #include "checks/check_rows.h"
 #include "checks/check_station.h"
 #include "checks/fatigue_place.h"
-#include "model/fatigue_words.h"
+#include "model/description/fatigue_words.h"
 
 namespace overbend {
 namespace {

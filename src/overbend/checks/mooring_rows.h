@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "model/description.h"
+#include "model/description/description.h"
 #include "results/check_results.h"
 #include "results/dynamic_results.h"
 #include "results/line_results.h"

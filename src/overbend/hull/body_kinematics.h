@@ -11,7 +11,7 @@
 
 #include "base/vec.h"
 #include "mechanics/vessel_motion.h"
-#include "model/hydrodynamic_data.h"
+#include "model/description/hydrodynamic_data.h"
 
 namespace overbend {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/hull_description.h"
+#include "model/description/hull_description.h"
 
 namespace overbend {
 

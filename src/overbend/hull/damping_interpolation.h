@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "model/hydrodynamic_data.h"
+#include "model/description/hydrodynamic_data.h"
 
 namespace overbend {
 

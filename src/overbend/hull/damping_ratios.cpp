@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "hull/make_radiation.h"
-#include "model/rao_table.h"
+#include "model/waves/rao_table.h"
 
 namespace overbend {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hull/hull.h"
-#include "model/hydrodynamic_data.h"
+#include "model/description/hydrodynamic_data.h"
 
 namespace overbend {
 

@@ -22,7 +22,7 @@
 #include "hull/slow_motion.h"
 #include "mechanics/move_profile.h"
 #include "mechanics/sea.h"
-#include "model/hull_description.h"
+#include "model/description/hull_description.h"
 
 namespace overbend {
 

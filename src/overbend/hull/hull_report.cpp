@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "hull/radiation_judgement.h"
-#include "model/wave_theory.h"
+#include "model/waves/wave_theory.h"
 
 namespace overbend {
 namespace {

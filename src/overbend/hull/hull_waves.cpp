@@ -8,7 +8,7 @@
 #include "base/simd.h"
 #include "hull/hull_waves_kernel.h"
 #include "mechanics/sea_range.h"
-#include "model/section.h"
+#include "model/pipe/section.h"
 
 namespace overbend {
 namespace {

@@ -8,8 +8,8 @@
 #include "hull/hull_current.h"
 #include "mechanics/build_up.h"
 #include "mechanics/sea.h"
-#include "model/hull_description.h"
-#include "model/hydrodynamic_data.h"
+#include "model/description/hull_description.h"
+#include "model/description/hydrodynamic_data.h"
 
 namespace overbend {
 

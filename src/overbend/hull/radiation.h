@@ -9,8 +9,8 @@
 #include <complex>
 #include <vector>
 
-#include "model/hull_description.h"
-#include "model/hydrodynamic_data.h"
+#include "model/description/hull_description.h"
+#include "model/description/hydrodynamic_data.h"
 
 namespace overbend {
 

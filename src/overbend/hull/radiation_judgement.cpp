@@ -5,7 +5,7 @@
 
 #include "base/units.h"
 #include "hull/make_radiation.h"
-#include "model/rao_table.h"
+#include "model/waves/rao_table.h"
 
 namespace overbend {
 namespace {

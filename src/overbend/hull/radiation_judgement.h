@@ -7,7 +7,7 @@
 #include "base/finding.h"
 #include "hull/radiation.h"
 #include "mechanics/sea.h"
-#include "model/hydrodynamic_data.h"
+#include "model/description/hydrodynamic_data.h"
 
 namespace overbend {
 

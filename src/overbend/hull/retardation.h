@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hull/radiation.h"
-#include "model/hydrodynamic_data.h"
+#include "model/description/hydrodynamic_data.h"
 
 namespace overbend {
 

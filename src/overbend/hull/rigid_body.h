@@ -1,7 +1,7 @@
 /// A rigid body about its centre of gravity, without linearisation: m p'' = F, d/dt (R I R^T omega) = M.
 #pragma once
 
-#include "model/hydrodynamic_data.h"
+#include "model/description/hydrodynamic_data.h"
 
 namespace overbend {
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "base/vec.h"
-#include "model/hydrodynamic_data.h"
+#include "model/description/hydrodynamic_data.h"
 
 namespace overbend {
 

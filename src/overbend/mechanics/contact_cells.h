@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "model/supports.h"
+#include "model/vessel/supports.h"
 
 namespace overbend {
 

@@ -2,8 +2,8 @@
 /// and for comparing with limits; docs/theory/impacts.md says how far they reach.
 #pragma once
 
-#include "model/contact_stiffness.h"
-#include "model/section.h"
+#include "model/pipe/contact_stiffness.h"
+#include "model/pipe/section.h"
 
 namespace overbend {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mechanics/line_elements.h"
-#include "model/line_description.h"
+#include "model/description/line_description.h"
 
 namespace overbend {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "model/bed_shape.h"
+#include "model/site/bed_shape.h"
 
 namespace overbend {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "mechanics/element_constants.h"
 #include "mechanics/slack_law.h"
-#include "model/bed_shape.h"
-#include "model/line_types.h"
+#include "model/pipe/line_types.h"
+#include "model/site/bed_shape.h"
 
 namespace overbend {
 namespace {

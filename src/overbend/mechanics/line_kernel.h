@@ -3,7 +3,7 @@
 /// machine may lack.
 #pragma once
 
-#include "model/route_piece.h"
+#include "model/site/route_piece.h"
 
 namespace overbend {
 

@@ -10,7 +10,7 @@
 
 namespace overbend {
 
-/// Height of a shape under a place and its derivatives, see model/bed_shape.h.
+/// Height of a shape under a place and its derivatives, see model/site/bed_shape.h.
 void bed_values(const BedShape* shape, double x, double y, double* six);
 
 }  // namespace overbend

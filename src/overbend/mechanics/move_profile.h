@@ -1,7 +1,7 @@
 /// How a vessel that is moved ahead by joints goes along its way.
 #pragma once
 
-#include "model/mooring_description.h"
+#include "model/description/mooring_description.h"
 
 namespace overbend {
 

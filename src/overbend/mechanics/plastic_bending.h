@@ -1,8 +1,8 @@
 /// What yielding takes from the elastic bending moment of the rod, point by point.
 ///
 /// The element kernel bends every element elastically, EI k with k = dt/ds the curvature vector. Where a section yields
-/// its moment is EI k - M_p; this file finds M_p from the law's springs (model/bending_law.h) and the memory of the
-/// section, and takes it off again. Elements that never yielded cost nothing.
+/// its moment is EI k - M_p; this file finds M_p from the law's springs (model/pipe/bending_law.h) and the memory of
+/// the section, and takes it off again. Elements that never yielded cost nothing.
 ///
 /// The memory lives in axes that the section carries along without spin: the smallest turn that takes the old tangent
 /// to the new one (parallel transport, as in Bishop 1975). A pipe bent in one plane and then in another keeps what the
@@ -12,7 +12,7 @@
 #include <cstdint>
 
 #include "mechanics/rod_element.h"
-#include "model/bending_law.h"
+#include "model/pipe/bending_law.h"
 
 namespace overbend {
 

@@ -18,7 +18,7 @@
 #include "base/simd.h"
 #include "mechanics/rod_element.h"
 #include "mechanics/roller_kernel.h"
-#include "model/supports.h"
+#include "model/vessel/supports.h"
 
 namespace overbend {
 

@@ -12,8 +12,8 @@
 #include "base/random.h"
 #include "base/require.h"
 #include "mechanics/wave_spreading.h"
-#include "model/section.h"
-#include "model/wave_theory.h"
+#include "model/pipe/section.h"
+#include "model/waves/wave_theory.h"
 
 namespace overbend {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/section.h"
+#include "model/pipe/section.h"
 
 namespace overbend {
 namespace {

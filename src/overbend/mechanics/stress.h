@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/section.h"
+#include "model/pipe/section.h"
 
 namespace overbend {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "model/description.h"
+#include "model/description/description.h"
 
 namespace overbend {
 

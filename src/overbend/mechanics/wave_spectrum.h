@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "model/description.h"
-#include "model/wave_theory.h"
+#include "model/description/description.h"
+#include "model/waves/wave_theory.h"
 
 namespace overbend {
 

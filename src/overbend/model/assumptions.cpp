@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "base/constants.h"
+#include "model/description/operation_words.h"
 #include "model/dynamic_assumptions.h"
 #include "model/lay_stage.h"
 #include "model/material_words.h"
 #include "model/model.h"
 #include "model/mooring_assumptions.h"
-#include "model/operation_words.h"
 #include "model/stinger_assumptions.h"
 
 namespace overbend {

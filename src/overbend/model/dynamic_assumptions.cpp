@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
-#include "model/sea_statistics.h"
+#include "model/site/sea_statistics.h"
 #include "model/step_scales.h"
-#include "model/wave_theory.h"
+#include "model/waves/wave_theory.h"
 
 namespace overbend {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/vec.h"
 #include "model/model.h"
-#include "model/route_piece.h"
+#include "model/site/route_piece.h"
 
 namespace overbend {
 

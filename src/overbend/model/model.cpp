@@ -7,8 +7,8 @@
 
 #include "base/constants.h"
 #include "base/require.h"
-#include "model/bed_shape.h"
 #include "model/lay_stage.h"
+#include "model/site/bed_shape.h"
 #include "model/structures.h"
 
 namespace overbend {

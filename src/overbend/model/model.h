@@ -8,11 +8,11 @@
 
 #include "base/assumption.h"
 #include "base/vec.h"
-#include "model/bed_surface.h"
-#include "model/contact_stiffness.h"
-#include "model/description.h"
-#include "model/section.h"
-#include "model/supports.h"
+#include "model/description/description.h"
+#include "model/pipe/contact_stiffness.h"
+#include "model/pipe/section.h"
+#include "model/site/bed_surface.h"
+#include "model/vessel/supports.h"
 
 namespace overbend {
 

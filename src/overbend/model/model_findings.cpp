@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "model/rao_limits.h"
+#include "model/vessel/rao_limits.h"
 
 namespace overbend {
 namespace {

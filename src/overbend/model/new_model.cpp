@@ -12,7 +12,7 @@
 #include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
-#include "model/section.h"
+#include "model/pipe/section.h"
 
 namespace overbend {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/bed_surface.h"
+#include "model/site/bed_surface.h"
 
 namespace overbend {
 

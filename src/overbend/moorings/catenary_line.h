@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "model/line_description.h"
+#include "model/description/line_description.h"
 
 namespace overbend {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/hull_description.h"
+#include "model/description/hull_description.h"
 #include "moorings/spread.h"
 
 namespace overbend {

@@ -1,7 +1,7 @@
 #include "moorings/hull_at_rest.h"
 
 #include "model/model.h"
-#include "model/station.h"
+#include "model/vessel/station.h"
 
 namespace overbend {
 

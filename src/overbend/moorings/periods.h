@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/hull_description.h"
+#include "model/description/hull_description.h"
 
 namespace overbend {
 

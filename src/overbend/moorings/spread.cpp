@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/section.h"
+#include "model/pipe/section.h"
 
 namespace overbend {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "model/bed_surface.h"
-#include "model/description.h"
+#include "model/description/description.h"
+#include "model/site/bed_surface.h"
 #include "moorings/catenary.h"
 
 namespace overbend {

@@ -8,7 +8,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kJump = 0.02;  // of the difference over the first bracket, left when it is closed
+constexpr double kJump = 0.02;      // of the difference over the first bracket, left when it is closed
 constexpr double kReversal = 1e-3;  // of the range of the values, against which they may go and still be monotone
 constexpr int kMostSteps = 100;
 constexpr int kTurnSteps = 12;

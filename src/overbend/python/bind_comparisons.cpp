@@ -5,10 +5,10 @@
 #include "python/given.h"
 #include "python/python_errors.h"
 #include "python/to_python.h"
-#include "report/folder_comparison_page.h"
-#include "resultfiles/folder_comparison_writer.h"
+#include "report/studies/folder_comparison_page.h"
+#include "resultfiles/studies/folder_comparison_writer.h"
 #include "runstore/staged_folder.h"
-#include "study/folder_compare.h"
+#include "study/compare/folder_compare.h"
 
 namespace overbend {
 namespace {

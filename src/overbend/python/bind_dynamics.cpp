@@ -4,8 +4,8 @@
 #include <chrono>
 
 #include "base/units.h"
-#include "dynamics/controllers.h"
-#include "dynamics/dynamic_obstacle.h"
+#include "dynamics/run/controllers.h"
+#include "dynamics/setup/dynamic_obstacle.h"
 #include "python/bindings.h"
 #include "python/given.h"
 #include "python/given_controller.h"
@@ -14,10 +14,10 @@
 #include "python/statics_handle.h"
 #include "python/without_lock.h"
 #include "runstore/run_store.h"
-#include "study/case.h"
-#include "study/lines_run.h"
-#include "study/prepared_case.h"
-#include "study/study.h"
+#include "study/run/case.h"
+#include "study/run/lines_run.h"
+#include "study/run/prepared_case.h"
+#include "study/seeds/study.h"
 
 namespace overbend {
 namespace {

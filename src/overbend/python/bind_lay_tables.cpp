@@ -8,13 +8,13 @@
 #include "python/model_handle.h"
 #include "python/to_python.h"
 #include "python/without_lock.h"
-#include "resultfiles/lay_table_writer.h"
-#include "resultfiles/result_tree.h"
-#include "resultfiles/summary_json.h"
+#include "resultfiles/hdf5/result_tree.h"
+#include "resultfiles/studies/lay_table_writer.h"
+#include "resultfiles/summary/summary_json.h"
 #include "results/fields/lay_table_fields.h"
 #include "seafiles/route_depths_reader.h"
-#include "study/lay_table.h"
-#include "study/lay_table_range.h"
+#include "study/lay_table/lay_table.h"
+#include "study/lay_table/lay_table_range.h"
 
 namespace overbend {
 namespace {

@@ -2,13 +2,13 @@
 #include <pybind11/stl.h>
 
 #include "model/model.h"
-#include "modelfile/moved_text.h"
+#include "modelfile/yaml/moved_text.h"
 #include "python/bindings.h"
 #include "python/given.h"
 #include "python/model_handle.h"
 #include "python/to_python.h"
 #include "python/without_lock.h"
-#include "study/input_findings.h"
+#include "study/run/input_findings.h"
 
 namespace overbend {
 namespace {

@@ -10,12 +10,12 @@
 #include "python/statics_handle.h"
 #include "python/to_python.h"
 #include "python/without_lock.h"
-#include "resultfiles/case_summary.h"
-#include "resultfiles/operation_reader.h"
-#include "resultfiles/operation_writer.h"
-#include "resultfiles/summary_json.h"
-#include "study/lay_operation.h"
-#include "study/operation_run.h"
+#include "resultfiles/stages/operation_reader.h"
+#include "resultfiles/stages/operation_writer.h"
+#include "resultfiles/static/case_summary.h"
+#include "resultfiles/summary/summary_json.h"
+#include "study/run/operation_run.h"
+#include "study/stages/lay_operation.h"
 
 namespace overbend {
 namespace {

@@ -4,16 +4,16 @@
 #include <algorithm>
 
 #include "base/utf8.h"
-#include "modelfile/yaml_edit.h"
+#include "modelfile/yaml/yaml_edit.h"
 #include "python/bindings.h"
 #include "python/given.h"
 #include "python/python_errors.h"
 #include "python/to_python.h"
-#include "resultfiles/hdf5_file.h"
-#include "resultfiles/named_dynamics.h"
-#include "resultfiles/named_results.h"
-#include "resultfiles/result_tree.h"
-#include "resultfiles/result_units.h"
+#include "resultfiles/hdf5/hdf5_file.h"
+#include "resultfiles/hdf5/result_tree.h"
+#include "resultfiles/summary/named_dynamics.h"
+#include "resultfiles/summary/named_results.h"
+#include "resultfiles/summary/result_units.h"
 
 namespace overbend {
 namespace {

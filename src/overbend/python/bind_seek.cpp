@@ -1,14 +1,14 @@
 // Goal seek: what is wanted comes as the key `seek` of a model file.
 #include "base/file_lock.h"
-#include "modelfile/seek_reader.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/seek_reader.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "python/bindings.h"
 #include "python/given.h"
 #include "python/statics_handle.h"
 #include "python/to_python.h"
 #include "python/without_lock.h"
-#include "resultfiles/seek_writer.h"
-#include "study/seek_run.h"
+#include "resultfiles/studies/seek_writer.h"
+#include "study/goal_seek/seek_run.h"
 
 namespace overbend {
 namespace {

@@ -7,8 +7,8 @@
 #include "python/statics_handle.h"
 #include "python/to_python.h"
 #include "python/without_lock.h"
-#include "resultfiles/sensitivity_files.h"
-#include "study/sensitivities.h"
+#include "resultfiles/static/sensitivity_files.h"
+#include "study/sensitivity/sensitivities.h"
 
 namespace overbend {
 namespace {

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "dynamics/mooring_tension.h"
+#include "dynamics/machines/mooring_tension.h"
 #include "python/bindings.h"
 #include "python/given.h"
 #include "python/python_errors.h"
@@ -13,7 +13,7 @@
 #include "python/to_python.h"
 #include "python/without_lock.h"
 #include "runstore/checksum.h"
-#include "study/case.h"
+#include "study/run/case.h"
 
 namespace overbend {
 namespace {

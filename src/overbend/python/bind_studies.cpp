@@ -7,11 +7,11 @@
 #include "python/study_handle.h"
 #include "python/to_python.h"
 #include "python/without_lock.h"
-#include "resultfiles/operability_json.h"
-#include "resultfiles/result_tree.h"
-#include "resultfiles/study_writer.h"
+#include "resultfiles/hdf5/result_tree.h"
+#include "resultfiles/studies/operability_json.h"
+#include "resultfiles/studies/study_writer.h"
 #include "runstore/staged_folder.h"
-#include "study/whole_study.h"
+#include "study/campaign/whole_study.h"
 
 namespace overbend {
 namespace {

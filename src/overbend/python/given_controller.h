@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/controller.h"
+#include "dynamics/machines/controller.h"
 #include "python/given.h"
 
 namespace overbend {

@@ -7,10 +7,10 @@
 
 #include "base/require.h"
 #include "base/text.h"
-#include "modelfile/chosen_keys.h"
-#include "modelfile/field_table.h"
-#include "modelfile/yaml_path.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/fields/field_table.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "modelfile/yaml/chosen_keys.h"
+#include "modelfile/yaml/yaml_path.h"
 
 namespace overbend {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "base/diagnostics.h"
 #include "base/yaml_document.h"
-#include "model/description.h"
-#include "modelfile/yaml_edit.h"
+#include "model/description/description.h"
+#include "modelfile/yaml/yaml_edit.h"
 
 namespace overbend {
 

@@ -3,11 +3,11 @@
 #include <pybind11/pybind11.h>
 
 #include "base/utf8.h"
-#include "modelfile/yaml_edit.h"
+#include "modelfile/yaml/yaml_edit.h"
 #include "python/bindings.h"
 #include "python/model_handle.h"
 #include "runstore/staged_folder.h"
-#include "study/seek_model.h"
+#include "study/goal_seek/seek_model.h"
 
 namespace overbend {
 namespace {

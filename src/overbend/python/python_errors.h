@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/file_lock.h"
-#include "statics/statics.h"
-#include "study/run_ending.h"
+#include "statics/solver/statics.h"
+#include "study/run/run_ending.h"
 
 namespace overbend {
 

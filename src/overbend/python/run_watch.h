@@ -7,7 +7,7 @@
 #include <mutex>
 #include <vector>
 
-#include "study/run_cases.h"
+#include "study/run/run_cases.h"
 
 namespace overbend {
 

@@ -6,7 +6,7 @@
 
 #include "python/python_errors.h"
 #include "python/statics_handle.h"
-#include "study/case.h"
+#include "study/run/case.h"
 
 namespace overbend {
 namespace {

@@ -7,11 +7,11 @@
 #include <string>
 #include <thread>
 
-#include "dynamics/simulation.h"
+#include "dynamics/run/simulation.h"
 #include "python/given_controller.h"
 #include "python/model_handle.h"
 #include "recording/dynamic_stations.h"
-#include "study/prepared_case.h"
+#include "study/run/prepared_case.h"
 
 namespace overbend {
 

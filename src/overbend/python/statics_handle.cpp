@@ -1,13 +1,13 @@
 #include "python/statics_handle.h"
 
 #include "python/python_errors.h"
-#include "resultfiles/hdf5_visitors.h"
-#include "resultfiles/lines_writer.h"
-#include "resultfiles/mooring_hdf5.h"
-#include "resultfiles/summary_json.h"
-#include "study/lay_beside.h"
-#include "study/stage_choice.h"
-#include "study/static_run.h"
+#include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/lines/lines_writer.h"
+#include "resultfiles/moored/mooring_hdf5.h"
+#include "resultfiles/summary/summary_json.h"
+#include "study/run/lay_beside.h"
+#include "study/run/static_run.h"
+#include "study/stages/stage_choice.h"
 
 namespace overbend {
 namespace {

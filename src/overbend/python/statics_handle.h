@@ -8,8 +8,8 @@
 
 #include "base/json.h"
 #include "python/model_handle.h"
-#include "resultfiles/result_tree.h"
-#include "study/model_statics.h"
+#include "resultfiles/hdf5/result_tree.h"
+#include "study/run/model_statics.h"
 
 namespace overbend {
 

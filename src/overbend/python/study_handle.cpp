@@ -2,9 +2,9 @@
 
 #include <fstream>
 
-#include "modelfile/moved_text.h"
-#include "modelfile/study_reader.h"
-#include "modelfile/yaml_reader.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "modelfile/study_file/study_reader.h"
+#include "modelfile/yaml/moved_text.h"
 #include "runstore/replace_file.h"
 
 namespace overbend {

@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "python/model_handle.h"
-#include "study/study_runner.h"
+#include "study/campaign/study_runner.h"
 
 namespace overbend {
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "base/json.h"
-#include "resultfiles/dataset.h"
+#include "resultfiles/hdf5/dataset.h"
 
 namespace overbend {
 

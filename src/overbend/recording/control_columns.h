@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dynamics/controllers.h"
+#include "dynamics/run/controllers.h"
 #include "recording/history_columns.h"
 
 namespace overbend {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "statics/static_findings.h"
+#include "statics/recovery/static_findings.h"
 
 namespace overbend {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "dynamics/simulation.h"
+#include "dynamics/run/simulation.h"
 #include "numerics/running_quantiles.h"
 #include "numerics/running_statistics.h"
 #include "recording/design_recorder.h"

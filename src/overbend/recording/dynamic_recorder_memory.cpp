@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "dynamics/dynamic_checkpoint.h"
+#include "dynamics/integrator/dynamic_checkpoint.h"
 #include "recording/dynamic_recorder.h"
 
 namespace overbend {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "model/fatigue_words.h"
+#include "model/description/fatigue_words.h"
 #include "recording/fatigue_remarks.h"
 
 namespace overbend {

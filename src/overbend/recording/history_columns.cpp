@@ -1,6 +1,6 @@
 #include "recording/history_columns.h"
 
-#include "dynamics/mooring_tension.h"
+#include "dynamics/machines/mooring_tension.h"
 #include "recording/dynamic_recorder_layout.h"
 #include "recording/stinger_watch.h"
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "dynamics/simulation_observer.h"
-#include "model/supports.h"
+#include "dynamics/run/simulation_observer.h"
+#include "model/vessel/supports.h"
 #include "recording/thrust_watch.h"
 #include "recording/vessel_watch.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "dynamics/dynamic_checkpoint.h"
-#include "dynamics/mooring_tension.h"
+#include "dynamics/integrator/dynamic_checkpoint.h"
+#include "dynamics/machines/mooring_tension.h"
 #include "recording/move_record.h"
 #include "recording/snapshots.h"
 

@@ -1,7 +1,7 @@
 /// Results of a hull on its mooring lines in time, without a pipe: statistics, rows of histories, snapshots.
 #pragma once
 
-#include "dynamics/moored_simulation.h"
+#include "dynamics/run/moored_simulation.h"
 #include "recording/history_columns.h"
 #include "recording/mooring_watch.h"
 #include "recording/thrust_watch.h"

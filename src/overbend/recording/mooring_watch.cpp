@@ -8,8 +8,8 @@
 #include <limits>
 #include <span>
 
-#include "dynamics/mooring_tension.h"
-#include "statics/lines_recovery.h"
+#include "dynamics/machines/mooring_tension.h"
+#include "statics/recovery/lines_recovery.h"
 #include "system/cut_forces.h"
 
 namespace overbend {

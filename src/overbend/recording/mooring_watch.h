@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/finding.h"
-#include "model/mooring_description.h"
+#include "model/description/mooring_description.h"
 #include "numerics/running_statistics.h"
 #include "results/moored_dynamics.h"
 #include "system/assembly.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "model/description_words.h"
+#include "model/description/description_words.h"
 
 namespace overbend {
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "dynamics/simulation.h"
+#include "dynamics/run/simulation.h"
 #include "recording/dynamic_stations.h"
 
 namespace overbend {

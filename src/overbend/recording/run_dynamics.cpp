@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "dynamics/start_leap.h"
+#include "dynamics/setup/start_leap.h"
 #include "recording/dynamic_recorder.h"
 #include "recording/moored_recorder.h"
 #include "recording/reach_row.h"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "dynamics/dynamics.h"
+#include "dynamics/integrator/dynamics.h"
 #include "results/dynamic_sink.h"
 
 namespace overbend {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "dynamics/dynamics.h"
+#include "dynamics/integrator/dynamics.h"
 #include "model/model.h"
 
 namespace overbend {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/stinger_setup.h"
+#include "dynamics/setup/stinger_setup.h"
 
 namespace overbend {
 namespace {

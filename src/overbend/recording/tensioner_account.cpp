@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/description_words.h"
+#include "model/description/description_words.h"
 
 namespace overbend {
 namespace {

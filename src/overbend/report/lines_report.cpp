@@ -3,16 +3,16 @@
 
 #include <algorithm>
 
-#include "report/criteria_section.h"
-#include "report/front_of.h"
-#include "report/html.h"
-#include "report/line_data.h"
-#include "report/page.h"
-#include "report/quantity.h"
+#include "report/moored/line_data.h"
+#include "report/page/front_of.h"
+#include "report/page/html.h"
+#include "report/page/page.h"
+#include "report/page/quantity.h"
+#include "report/page/sea_words.h"
+#include "report/page/sections.h"
 #include "report/report.h"
-#include "report/report_data.h"
-#include "report/sea_words.h"
-#include "report/sections.h"
+#include "report/static/criteria_section.h"
+#include "report/studies/report_data.h"
 
 namespace overbend {
 namespace {

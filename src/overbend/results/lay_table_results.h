@@ -7,7 +7,7 @@
 
 #include "base/assumption.h"
 #include "base/finding.h"
-#include "model/lay_table_description.h"
+#include "model/description/lay_table_description.h"
 #include "results/verdict.h"
 
 namespace overbend {

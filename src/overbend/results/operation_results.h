@@ -7,7 +7,7 @@
 
 #include "base/assumption.h"
 #include "base/finding.h"
-#include "model/description.h"
+#include "model/description/description.h"
 #include "results/static_results.h"
 
 namespace overbend {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/seek_description.h"
+#include "model/description/seek_description.h"
 
 namespace overbend {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cctype>
 
-#include "results/fields/result_field.h"
+#include "results/result_words.h"
 
 namespace overbend {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
-#include "model/seabed_description.h"
+#include "model/description/seabed_description.h"
 
 namespace overbend {
 

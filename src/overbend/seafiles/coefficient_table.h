@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "model/hull_description.h"
+#include "model/description/hull_description.h"
 
 namespace overbend {
 

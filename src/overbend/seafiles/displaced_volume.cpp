@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/constants.h"
-#include "model/wave_theory.h"
+#include "model/waves/wave_theory.h"
 
 namespace overbend {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "model/hydrodynamic_data.h"
+#include "model/description/hydrodynamic_data.h"
 
 namespace overbend {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "model/hydrodynamic_data.h"
+#include "model/description/hydrodynamic_data.h"
 
 namespace overbend {
 

@@ -1,4 +1,4 @@
-/// Potential-flow coefficients of a hull from the files of a panel program (model/hydrodynamic_data.h).
+/// Potential-flow coefficients of a hull from the files of a panel program (model/description/hydrodynamic_data.h).
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 #include "base/diagnostics.h"
 #include "base/vec.h"
-#include "model/hydrodynamic_data.h"
+#include "model/description/hydrodynamic_data.h"
 #include "seafiles/wave_column.h"
 
 namespace overbend {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
-#include "model/motion_history.h"
+#include "model/description/motion_history.h"
 
 namespace overbend {
 

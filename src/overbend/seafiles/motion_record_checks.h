@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "model/motion_history.h"
+#include "model/description/motion_history.h"
 
 namespace overbend {
 

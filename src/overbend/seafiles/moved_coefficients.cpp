@@ -1,6 +1,6 @@
 #include "seafiles/moved_coefficients.h"
 
-#include "model/wave_theory.h"
+#include "model/waves/wave_theory.h"
 
 namespace overbend {
 namespace {

@@ -1,7 +1,7 @@
 /// Coefficients of a hull about another point of it.
 #pragma once
 
-#include "model/hydrodynamic_data.h"
+#include "model/description/hydrodynamic_data.h"
 
 namespace overbend {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "model/rao_table.h"
+#include "model/waves/rao_table.h"
 #include "seafiles/rao_convention.h"
 #include "seafiles/rao_formats.h"
 

@@ -4,8 +4,8 @@
 
 #include "base/constants.h"
 #include "base/require.h"
-#include "model/rao_table.h"
-#include "model/wave_theory.h"
+#include "model/waves/rao_table.h"
+#include "model/waves/wave_theory.h"
 #include "seafiles/wave_column.h"
 
 namespace overbend {

@@ -5,7 +5,7 @@
 
 #include "base/constants.h"
 #include "base/text.h"
-#include "model/rao_table.h"
+#include "model/waves/rao_table.h"
 #include "seafiles/text_table.h"
 
 namespace overbend::rao_formats {

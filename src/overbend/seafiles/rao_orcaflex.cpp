@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "base/yaml_document.h"
-#include "model/rao_table.h"
+#include "model/waves/rao_table.h"
 #include "seafiles/rao_formats.h"
 #include "seafiles/text_table.h"
 

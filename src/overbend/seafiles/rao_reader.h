@@ -1,11 +1,11 @@
-/// Displacement RAOs from files of several programs, into the convention of the house (model/rao_table.h).
+/// Displacement RAOs from files of several programs, into the convention of the house (model/waves/rao_table.h).
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "base/diagnostics.h"
-#include "model/rao_table.h"
+#include "model/waves/rao_table.h"
 #include "seafiles/rao_convention.h"
 
 namespace overbend {

@@ -1,7 +1,7 @@
 /// Headings that a table of RAOs lacks, by the symmetry of the vessel.
 #pragma once
 
-#include "model/rao_table.h"
+#include "model/waves/rao_table.h"
 #include "seafiles/rao_convention.h"
 
 namespace overbend {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "model/lay_table_description.h"
+#include "model/description/lay_table_description.h"
 
 namespace overbend {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
-#include "model/study_description.h"
+#include "model/description/study_description.h"
 
 namespace overbend {
 

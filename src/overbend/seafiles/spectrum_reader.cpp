@@ -11,7 +11,7 @@
 #include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
-#include "model/sea_statistics.h"
+#include "model/site/sea_statistics.h"
 #include "seafiles/sentinels.h"
 #include "seafiles/text_table.h"
 

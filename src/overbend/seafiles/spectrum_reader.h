@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "model/description.h"
+#include "model/description/description.h"
 
 namespace overbend {
 

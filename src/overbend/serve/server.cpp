@@ -1,11 +1,11 @@
 #include "serve/server.h"
 
-#include "serve/data_files.h"
-#include "serve/lay_table_routes.h"
-#include "serve/model_routes.h"
-#include "serve/run_routes.h"
-#include "serve/seek_routes.h"
-#include "serve/sensitivity_routes.h"
+#include "serve/model/data_files.h"
+#include "serve/model/lay_table_routes.h"
+#include "serve/model/model_routes.h"
+#include "serve/model/seek_routes.h"
+#include "serve/model/sensitivity_routes.h"
+#include "serve/runs/run_routes.h"
 
 namespace overbend {
 

@@ -3,12 +3,12 @@
 
 #include <memory>
 
-#include "serve/http_server.h"
-#include "serve/lay_table_routes.h"
-#include "serve/live_operation.h"
-#include "serve/live_statics.h"
-#include "serve/open_model.h"
-#include "serve/run_queue.h"
+#include "serve/http/http_server.h"
+#include "serve/model/lay_table_routes.h"
+#include "serve/model/live_operation.h"
+#include "serve/model/live_statics.h"
+#include "serve/model/open_model.h"
+#include "serve/runs/run_queue.h"
 
 namespace overbend {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/line_description.h"
+#include "model/description/line_description.h"
 #include "model/model.h"
 #include "system/graded_mesh.h"
 #include "system/line.h"

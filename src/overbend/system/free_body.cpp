@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/section.h"
+#include "model/pipe/section.h"
 
 namespace overbend {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "base/vec.h"
 #include "mechanics/line_kernel.h"
-#include "model/line_description.h"
+#include "model/description/line_description.h"
 #include "model/model.h"
 #include "numerics/block_tridiagonal.h"
 

@@ -5,17 +5,17 @@
 #include <filesystem>
 
 #include "base/json.h"
-#include "report/report_style.h"
-#include "resultfiles/csv_fields.h"
-#include "resultfiles/finite_visitor.h"
-#include "resultfiles/hdf5_readers.h"
-#include "resultfiles/hdf5_visitors.h"
-#include "resultfiles/json_fields.h"
+#include "report/page/report_style.h"
+#include "resultfiles/hdf5/hdf5_readers.h"
+#include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/summary/json_fields.h"
+#include "resultfiles/tables/csv_fields.h"
+#include "resultfiles/tables/finite_visitor.h"
 #include "results/fields/check_fields.h"
 #include "results/fields/dynamic_values.h"
 #include "results/fields/static_tables.h"
-#include "serve/page_style.h"
-#include "serve/type_style.h"
+#include "serve/answers/page_style.h"
+#include "serve/answers/type_style.h"
 #include "support/solved_case.h"
 
 namespace overbend {

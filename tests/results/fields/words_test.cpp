@@ -1,4 +1,4 @@
-#include "results/fields/words.h"
+#include "results/result_words.h"
 
 #include <gtest/gtest.h>
 

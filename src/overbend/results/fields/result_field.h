@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "base/shown_unit.h"
-#include "results/fields/words.h"
+#include "results/result_words.h"
 
 namespace overbend {
 

@@ -25,7 +25,7 @@ endforeach()
 embed("licences.txt" "${LICENCES}")
 embed("LICENSE" "${ROOT}/LICENSE")
 
-file(WRITE "${OUT}" "// Made by serve/embedded/embed_files.cmake; do not edit.\n#include \"serve/embedded_files.h\"\n\n${symbols}
+file(WRITE "${OUT}" "// Made by serve/embedded/embed_files.cmake; do not edit.\n#include \"serve/http/embedded_files.h\"\n\n${symbols}
 namespace overbend {
 
 const std::vector<EmbeddedFile>& embedded_files() {

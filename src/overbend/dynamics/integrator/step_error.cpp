@@ -1,0 +1,87 @@
+#include "dynamics/integrator/step_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+/// Diagonal mass for the error estimate: half of each element's to its nodes, and what the cubic gives the tangents.
+std::vector<double> lumped_mass(const Line& line) {
+  std::vector<double> mass(6 * static_cast<std::size_t>(line.mesh.nodes()), 0.0);
+  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
+    const double h = line.mesh.length[e];
+    const double m = (line.elements.mass[e] + line.elements.added_normal[e]) * h;
+    for (std::size_t node = e; node < e + 2; ++node) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        mass[6 * node + i] += 0.5 * m;
+        mass[6 * node + 3 + i] += m * h * h / 105.0;
+      }
+    }
+  }
+  return mass;
+}
+
+/// How much of a node's error counts. Of pipe all, but for what was added to it as laid behind the far end of statics.
+/// There and in moorings, what an error does to the forces is that it turns the elements beside the node, and the
+/// longer they are the less; up to `short_element` all of it counts. (Lines that may meet rollers are pipe.)
+std::vector<double> error_weights(const Line& line, double short_element) {
+  std::vector<double> weights;
+  for (int node = 0; node < line.mesh.nodes(); ++node) {
+    const bool pipe = line.on_rollers && line.mesh.s[static_cast<std::size_t>(node)] >= 0.0;
+    weights.push_back(pipe ? 1.0 : std::min(1.0, short_element / line.mesh.shortest_beside(node)));
+  }
+  return weights;
+}
+
+/// Squared, of the bodies among the filtered errors [m2].
+double body_error(const Assembly& assembly, const Increments& dq) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < assembly.free_bodies(); ++i) {
+    const Vec6 dh = Eigen::Map<const Vec6>(dq.back().data() + 6 * i);
+    const double arm = assembly.free_body(i).arm;
+    worst = std::max({worst, dh.head<3>().squaredNorm(), arm * arm * dh.tail<3>().squaredNorm()});
+  }
+  return worst;
+}
+
+}  // namespace
+
+StepError::StepError(const System& system, const GeneralizedAlpha& scheme, double short_element) : scheme_(scheme) {
+  for (const Line& line : system.lines) {
+    lumped_mass_.push_back(lumped_mass(line));
+    weights_.push_back(error_weights(line, short_element));
+  }
+}
+
+double StepError::operator()(Assembly& assembly, const SystemState& now, const SystemState& next,
+                             Increments& dq) const {
+  const double h = next.last_step;
+  const double factor = std::abs(1.0 / 6.0 - scheme_.beta) * h * h * scheme_.acceleration_share(h);
+  for (std::size_t line = 0; line < next.lines.size(); ++line) {
+    for (std::size_t i = 0; i < dq[line].size(); ++i) {
+      dq[line][i] = factor * lumped_mass_[line][i] * (next.lines[line].acc[i] - now.lines[line].acc[i]);
+    }
+  }
+  for (const Attachment& held : assembly.system().attachments) {
+    const std::size_t line = static_cast<std::size_t>(held.line);
+    const auto node = dq[line].begin() + 6 * assembly.line(line).end_node(held.end);
+    std::fill_n(node, held.hold_place ? 6 : 0, 0.0);
+  }
+  for (std::size_t i = 0; i < next.bodies.size(); ++i) {
+    const Vec6 change = next.bodies[i].acc - now.bodies[i].acc;
+    Eigen::Map<Vec6>(dq.back().data() + 6 * i) = factor * assembly.free_body(i).inertia.cwiseProduct(change);
+  }
+  assembly.apply_factors(dq);
+  double worst = body_error(assembly, dq);
+  for (std::size_t line = 0; line < next.lines.size(); ++line) {
+    const std::vector<double>& e = dq[line];
+    for (std::size_t i = 0; i < e.size(); i += 6) {
+      const double weight = weights_[line][i / 6];
+      worst = std::max(worst, weight * weight * (e[i] * e[i] + e[i + 1] * e[i + 1] + e[i + 2] * e[i + 2]));
+    }
+  }
+  return std::sqrt(worst);
+}
+
+}  // namespace overbend

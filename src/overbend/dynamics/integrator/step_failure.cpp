@@ -1,0 +1,34 @@
+#include "dynamics/integrator/step_failure.h"
+
+#include <fmt/format.h>
+
+namespace overbend {
+namespace {
+
+/// Of a free body, by its number among them.
+std::string body_words(const System& system, int number) {
+  const int body = free_bodies(system)[static_cast<std::size_t>(number)];
+  const bool hinged = system.bodies[static_cast<std::size_t>(body)].free->hinge.has_value();
+  return hinged ? "the moments about the stinger's hinge" : "the forces on the hull";
+}
+
+std::string node_words(const System& system, std::size_t line, int node) {
+  const std::vector<double>& s = system.lines[line].mesh.s;
+  const double at = s[static_cast<std::size_t>(node)];
+  const std::size_t first = first_mooring(system);
+  if (line < first) return fmt::format("{:.3f} m from the anchor", at);
+  return fmt::format("line {}, {:.3f} m from its first end", line - first + 1, at - s.front());
+}
+
+}  // namespace
+
+StaticFailure step_failure(const StepReport& report, const System& system, double time) {
+  const auto [line, node] = report.worst_place;
+  const std::string place =
+      line == kBodyPlace ? body_words(system, node) : node_words(system, static_cast<std::size_t>(line), node);
+  return {"the time step cannot be solved", fmt::format("at t = {:.6f} s, {}", time, place),
+          report.end == StepEnd::singular ? "the equations have no solution there"
+                                          : "the forces do not balance even with the shortest step"};
+}
+
+}  // namespace overbend

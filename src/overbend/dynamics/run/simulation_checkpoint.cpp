@@ -1,0 +1,73 @@
+/// A simulation into a checkpoint and out of it.
+#include <cmath>
+
+#include "dynamics/integrator/dynamic_checkpoint.h"
+#include "dynamics/machines/parting.h"
+#include "dynamics/run/simulation.h"
+
+namespace overbend {
+
+DynamicCheckpoint Simulation::checkpoint() const {
+  DynamicCheckpoint c;
+  c.time = state_.time;
+  save_state(c, state_);
+  save_water(c, water_memory_);
+  if (conveyor_) {
+    c.arrays.push_back({"conveyor", conveyor_->save(setup_.system)});
+    const std::vector<int>& stations = water_.front().station_nodes();
+    if (!stations.empty()) c.arrays.push_back({"conveyor/stations", {stations.begin(), stations.end()}});
+  }
+  c.arrays.push_back({"impacts", tracker_->save()});
+  c.arrays.push_back({"energy", energy_.save()});
+  c.arrays.push_back({"steps", chooser_.save()});
+  c.arrays.push_back(
+      {"control", {static_cast<double>(clock_.tick), watch_.last, watch_.slope, watch_.least, watch_.most}});
+  controllers_.save(setup_.system, c);
+  save_report(c, report_);
+  for (const SimulationObserver* observer : observers_) observer->save(c);
+  return c;
+}
+
+void Simulation::restore(const DynamicCheckpoint& checkpoint) {
+  restore_state(checkpoint, state_);
+  restore_water(checkpoint, water_memory_);
+  if (conveyor_) restore_pipe(checkpoint);
+  tracker_->restore(checkpoint_array(checkpoint, "impacts"));
+  energy_.restore(checkpoint_array(checkpoint, "energy"));
+  const std::vector<double>& control = checkpoint_array(checkpoint, "control");
+  watch_ = {control.at(1), control.at(2), control.at(3), control.at(4)};
+  clock_.tick = std::llround(control.at(0));
+  chooser_.restore(checkpoint_array(checkpoint, "steps"));
+  controllers_.restore(checkpoint, setup_.system);
+  restore_report(checkpoint, report_);
+  part_as_in(state_, setup_.system);
+  failure_.reset();
+  if (conveyor_) {
+    renew_system();
+  } else {
+    stepper_->forget();
+    evaluate_present();
+  }
+  for (SimulationObserver* observer : observers_) observer->restore(checkpoint);
+}
+
+/// The pipe's mesh, and the stations of the waves along it.
+void Simulation::restore_pipe(const DynamicCheckpoint& checkpoint) {
+  conveyor_->restore(checkpoint_array(checkpoint, "conveyor"), setup_.system);
+  if (!water_.front().calm()) {
+    const std::vector<double>& stations = checkpoint_array(checkpoint, "conveyor/stations");
+    water_.front() = WaterField(setup_.sea, setup_.system.lines.front().mesh,
+                                std::vector<int>(stations.begin(), stations.end()), options_.build_up, setup_.interval);
+  }
+}
+
+/// Brings the system to the state restored, so that the present can be read. The state itself keeps its bits.
+void Simulation::evaluate_present() {
+  SystemState at = state_;
+  assembly_->set_time(at.time, at);
+  assembly_->set_drive(tensioner(at).machine.drive);
+  assembly_->evaluate(at, state_, {}, false);
+  find_elevation();
+}
+
+}  // namespace overbend

@@ -1,0 +1,171 @@
+#include "dynamics/setup/dynamic_obstacle.h"
+
+#include <fmt/format.h>
+
+#include "dynamics/integrator/dynamic_clock.h"
+#include "dynamics/setup/start_leap.h"
+#include "model/vessel/station.h"
+#include "statics/moored/moored_statics.h"
+#include "statics/solver/static_obstacle.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kLargestLeap = 0.1;  ///< Of the stern shoe, or the end of a line, at t = 0 [m].
+
+StaticFailure refused(const char* key, std::string what, std::string why) {
+  return {std::move(what), "", std::move(why), true, key};
+}
+
+/// Quasi-static lines pull at a hull and follow lengths; what takes a line of elements is said by name.
+std::optional<StaticFailure> quasi_static_obstacle(const Description& d) {
+  const auto refuse = [](const std::string& what) {
+    return refused("moorings.model", "quasi-static mooring lines " + what, "leave out moorings.model");
+  };
+  if (d.vessel.motion != VesselMotion::coupled) {
+    return refuse("have nothing to pull at where the vessel's motion is told");
+  }
+  for (const MooringLineDescription& line : d.moorings->lines) {
+    if (line.fails_at || line.anchor_holding.slides) {
+      return refuse("cannot part or drag an anchor: '" + line.name + "'");
+    }
+  }
+  for (const WinchDescription& winch : d.moorings->winches) {
+    const bool by_itself = winch.mode == WinchMode::length && !winch.program.empty();
+    if (winch.mode == WinchMode::tension || winch.mode == WinchMode::speed || by_itself) {
+      return refuse("follow the lengths of the operation alone: winch '" + winch.name + "'");
+    }
+  }
+  return std::nullopt;
+}
+
+/// What is asked of mooring lines that a dynamic analysis does not do.
+std::optional<StaticFailure> mooring_obstacle(const Description& d) {
+  const MooringsDescription& moorings = *d.moorings;
+  if (moorings.model == MooringModel::quasi_static) {
+    if (std::optional<StaticFailure> obstacle = quasi_static_obstacle(d)) return obstacle;
+  }
+  if (d.operation.type == OperationType::anchor_move) {
+    return refused("operation.type", "an anchor cannot be moved in time", "overbend static has its stages");
+  }
+  return std::nullopt;
+}
+
+/// A hull that floats free needs its coefficients, and something that holds its place.
+std::optional<StaticFailure> coupled_obstacle(const Description& d) {
+  if (!d.vessel.coupled || !d.vessel.coupled->data) {
+    return refused("vessel.motion.coupled", "the hull that floats free has no hydrodynamic coefficients",
+                   "name their files");
+  }
+  if (!has_station(d)) {
+    return refused("vessel.motion.coupled", "nothing holds the hull that floats free in its place",
+                   "give moorings or station_keeping");
+  }
+  return std::nullopt;
+}
+
+/// A told motion that is there in full at once, away from where statics leave the vessel.
+std::optional<StaticFailure> leap_obstacle(const Model& model) {
+  const double leap = leap_at_start(model);
+  if (leap <= kLargestLeap) return std::nullopt;
+  return refused(
+      "analysis.dynamic.build_up", "the vessel cannot be at once where its motion has it",
+      fmt::format("without build-up the stern shoe leaps by {:.3g} m from where statics have it, and strikes "
+                  "what hangs on it; give some wave periods",
+                  leap));
+}
+
+/// A record that ends before the run does. The vessel would stop dead there, and strike what hangs on it.
+std::optional<StaticFailure> record_obstacle(const VesselDescription& vessel, const DynamicOptions& run) {
+  const double first = vessel.history->time.front(), last = vessel.history->time.back();
+  const double end = end_of_run(run.duration, run.output_step);
+  if (first <= 0.0 && last >= end * (1.0 - 1e-9)) return std::nullopt;
+  std::string why = fmt::format("{} goes from t = {:g} s to {:g} s, the run from 0 s to {:g} s", vessel.motion_file,
+                                first, last, end);
+  if (end > run.duration * (1.0 + 1e-9)) {
+    why += fmt::format(
+        ": it ends with the first row of output (analysis.dynamic.output_step, {:g} s) at or after its "
+        "duration of {:g} s",
+        run.output_step, run.duration);
+  }
+  return refused("vessel.motion.history", "the record of the vessel's motion does not cover the run", std::move(why));
+}
+
+/// A motion without the file that it is in, or with one that ends too early.
+std::optional<StaticFailure> file_obstacle(const VesselDescription& vessel, const DynamicOptions& run) {
+  if ((vessel.motion == VesselMotion::raos && !vessel.raos) ||
+      (vessel.motion == VesselMotion::history && !vessel.history)) {
+    return refused("vessel.motion", "the vessel motion cannot be used",
+                   "the file " + vessel.motion_file + " could not be read");
+  }
+  return vessel.motion == VesselMotion::history ? record_obstacle(vessel, run) : std::nullopt;
+}
+
+/// A motion that cannot be followed over the whole run.
+std::optional<StaticFailure> motion_obstacle(const Model& model) {
+  const Description& d = model.description;
+  const VesselDescription& vessel = d.vessel;
+  if (has_station(d) && d.operation.type == OperationType::pull_ahead && !d.operation.loads.empty()) {
+    return refused("operation.loads", "loads of a pull-ahead act in statics alone",
+                   "give them under vessel.loads, or leave them out where there is a pipe");
+  }
+  if (has_mooring_lines(d)) {
+    if (std::optional<StaticFailure> obstacle = mooring_obstacle(d)) return obstacle;
+  }
+  if (vessel.motion == VesselMotion::coupled) {
+    return coupled_obstacle(d);
+  }
+  if (d.operation.type == OperationType::pull_ahead && d.operation.acceleration_time <= 0.0) {
+    return refused("operation.acceleration_time", "the vessel cannot be at its speed at once",
+                   "a told motion without time to reach its speed strikes the pipe; give some seconds");
+  }
+  return file_obstacle(vessel, dynamic_options(model));
+}
+
+/// A sea without the file that it is in.
+std::optional<StaticFailure> sea_obstacle(const WavesDescription& waves) {
+  if (waves.type != WaveType::user || !waves.spectrum.empty()) return std::nullopt;
+  return refused("environment.waves.spectrum_file", "the sea cannot be generated",
+                 "the file " + waves.spectrum_file + " could not be read");
+}
+
+}  // namespace
+
+StaticFailure without_dynamics() {
+  return refused("analysis.dynamic", "the model says nothing of a dynamic analysis",
+                 "give its duration, for example 10800 s");
+}
+
+std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
+  const Description& d = model.description;
+  if (!is_moored_hull(d)) {
+    if (std::optional<StaticFailure> obstacle = static_obstacle(d)) return obstacle;
+  }
+  if (!d.dynamics) return without_dynamics();
+  if (std::optional<StaticFailure> obstacle = motion_obstacle(model)) {
+    return obstacle;
+  }
+  if (std::optional<StaticFailure> obstacle = sea_obstacle(d.environment.waves)) return obstacle;
+  if (std::optional<StaticFailure> obstacle = leap_obstacle(model)) return obstacle;
+  if (d.tensioner.range_low && d.tensioner.tension &&
+      (*d.tensioner.tension < *d.tensioner.range_low || *d.tensioner.tension > *d.tensioner.range_high)) {
+    return refused("tensioner.range", "the range does not contain tensioner.tension",
+                   "the tensioner would move from the start");
+  }
+  return std::nullopt;
+}
+
+std::optional<StaticFailure> lines_obstacle(const Model& model, const DynamicOptions& options) {
+  const Description& d = model.description;
+  if (std::optional<StaticFailure> obstacle = file_obstacle(d.vessel, options)) return obstacle;
+  if (std::optional<StaticFailure> obstacle = sea_obstacle(d.environment.waves)) return obstacle;
+  const double leap = line_leap_at_start(model, options);
+  if (leap <= kLargestLeap) return std::nullopt;
+  return refused(
+      "analysis.dynamic.build_up", "the ends of the lines cannot be at once where their motion has them",
+      fmt::format("without build-up an end leaps by {:.3g} m from where statics have it, and jerks its line; "
+                  "give some periods",
+                  leap));
+}
+
+}  // namespace overbend

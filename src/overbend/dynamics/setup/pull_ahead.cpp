@@ -1,0 +1,21 @@
+#include "dynamics/setup/pull_ahead.h"
+
+namespace overbend {
+
+std::vector<LengthTable> winch_programs(const StaticSolution& start) {
+  return start.winches ? winch_tables(start.winches->lengths, start.winches->profile) : std::vector<LengthTable>{};
+}
+
+void follow_programs(const MooringSpread& spread, const std::vector<LengthTable>& programs, System& system) {
+  std::size_t mooring = 0;
+  for (Attachment& held : system.attachments) {
+    if (static_cast<std::size_t>(held.line) < first_mooring(system) || held.end != LineEnd::last) continue;
+    while (mooring < spread.lines.size() && spread.lines[mooring].parted) ++mooring;
+    if (mooring >= programs.size()) return;
+    WinchLaw& winch = held.winch ? *held.winch : held.winch.emplace();
+    if (winch.tension.mode == TensionerMode::locked) winch.program = programs[mooring];
+    ++mooring;
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,120 @@
+#include "modelfile/binding/model_inputs.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "base/yaml_document.h"
+#include "modelfile/binding/binding.h"
+#include "modelfile/fields/field_table.h"
+
+namespace overbend {
+namespace {
+
+/// What does not move a lay at rest whose vessel is held.
+constexpr std::array kLeftOut = {
+    "overbend", "analysis",        "environment.waves", "seek",         "sensitivities",      "moorings",
+    "lines",    "station_keeping", "vessel.motion",     "vessel.loads", "vessel.hydrostatics"};
+
+/// What does not move a lay whose stinger is held where it rests, below the stinger or one of its sections.
+constexpr std::array kOfTheRest = {"body", "tanks", "limits", "springs", "stop_stiffness", "hinge_friction"};
+
+bool is_or_below(const std::string& path, const std::string& key) {
+  return path == key || path.starts_with(key + ".") || path.starts_with(key + "[");
+}
+
+bool is_of_the_rest(const std::string& path) {
+  const std::string stinger = "supports.stinger.";
+  if (!path.starts_with(stinger)) return false;
+  std::string below = path.substr(stinger.size());
+  if (below.starts_with("sections[")) below.erase(0, std::min(below.find("]."), below.size() - 2) + 2);
+  return std::ranges::any_of(kOfTheRest, [&](const char* key) { return is_or_below(below, key); });
+}
+
+bool left_out(const std::string& path) {
+  return is_of_the_rest(path) ||
+         std::ranges::any_of(kLeftOut, [&](const std::string& key) { return is_or_below(path, key); });
+}
+
+/// What an item of a list is called: its name, else that of a box without one, else its index.
+std::string item_name(const FieldValue& list, std::size_t index) {
+  if (const auto name = list.children[index].get_text("name")) return *name;
+  for (const char* structure : {"ramp", "stinger"}) {
+    if (list.path == std::string("supports.") + structure + ".boxes") {
+      return std::string(structure) + " " + std::to_string(index + 1);
+    }
+  }
+  return std::to_string(index);
+}
+
+class Collector {
+ public:
+  explicit Collector(std::vector<ModelInput>& inputs) : inputs_(inputs) {}
+
+  void visit(const FieldValue& value, const FieldNode& node, const std::string& name) {
+    if (!value.given || left_out(value.path)) return;
+    if (value.kind == FieldValue::Kind::number && node.scalar != nullptr) add(value, *node.scalar, name);
+    for (std::size_t i = 0; i < value.children.size(); ++i) {
+      const FieldValue& child = value.children[i];
+      const bool list = value.kind == FieldValue::Kind::list;
+      const FieldNode* below = list ? node.item.get() : node.member(child.key);
+      if (below == nullptr) continue;
+      place_.push_back(i);
+      const std::string at = list ? "[" + item_name(value, i) + "]" : (name.empty() ? "" : ".") + child.key;
+      visit(child, *below, name + at);
+      place_.pop_back();
+    }
+  }
+
+ private:
+  void add(const FieldValue& value, const Field& row, const std::string& name) {
+    const bool quantity = row.kind == FieldKind::quantity;
+    if (!quantity && row.kind != FieldKind::number) return;
+    inputs_.push_back(
+        {value.path, name, row.text, quantity ? row.unit : "1", quantity ? row.show : "", value.number, place_});
+  }
+
+  std::vector<ModelInput>& inputs_;
+  std::vector<std::size_t> place_;
+};
+
+FieldValue values_of(const std::string& text, const std::string& file) {
+  Diagnostics faults;
+  const std::optional<YamlNode> root = parse_yaml(text, file, faults);
+  if (!root || root->kind != YamlNode::Kind::map) throw std::runtime_error("the model's text cannot be read: " + file);
+  return read_fields(*root, field_tree(), file, faults);
+}
+
+}  // namespace
+
+std::vector<ModelInput> numeric_inputs(const FieldValue& root) {
+  std::vector<ModelInput> inputs;
+  Collector(inputs).visit(root, field_tree(), "");
+  return inputs;
+}
+
+ModelValues::ModelValues(const Description& description)
+    : source_file_(description.source_file),
+      root_(values_of(description.source_text, description.source_file)),
+      inputs_(numeric_inputs(root_)),
+      bathymetry_(description.environment.seabed.bathymetry) {}
+
+std::optional<std::size_t> ModelValues::find(const std::string& key_or_name) const {
+  const auto found = std::ranges::find_if(
+      inputs_, [&](const ModelInput& input) { return input.key == key_or_name || input.name == key_or_name; });
+  if (found == inputs_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - inputs_.begin());
+}
+
+Description ModelValues::with(const ModelInput& input, double value) {
+  FieldValue* at = &root_;
+  for (const std::size_t i : input.place) at = &at->children[i];
+  const double before = at->number;
+  at->number = value;
+  Description description = bind_model(root_, source_file_);
+  at->number = before;
+  description.environment.seabed.bathymetry = bathymetry_;
+  return description;
+}
+
+}  // namespace overbend

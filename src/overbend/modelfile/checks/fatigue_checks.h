@@ -1,0 +1,11 @@
+/// What the keys of fatigue demand of the rest of the model.
+#pragma once
+
+#include "modelfile/schema/check_helper.h"
+
+namespace overbend {
+
+/// Part of check_model.
+void check_fatigue(Checker& check);
+
+}  // namespace overbend

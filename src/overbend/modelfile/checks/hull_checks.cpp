@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "model/description/description_words.h"
+#include "model/pipe/section.h"
+#include "modelfile/binding/binding.h"
+#include "modelfile/checks/line_checks.h"
+#include "modelfile/checks/model_checks.h"
+#include "seafiles/hydrodynamics_reader.h"
+
+namespace overbend {
+namespace {
+
+const FieldValue* coupled_of(const FieldValue& root) {
+  const FieldValue* hull = root.find("vessel.motion.coupled");
+  return hull != nullptr && hull->given ? hull : nullptr;
+}
+
+bool has_current(const FieldValue& root) {
+  const std::vector<FieldValue>& rows = Checker::items(root, "environment.current");
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const FieldValue& row) { return row.get_number("speed").value_or(0.0) != 0.0; });
+}
+
+/// One statement of whether the hull floats.
+void check_freedom(Checker& check) {
+  const FieldValue& root = check.root();
+  const FieldValue* stiffness = root.find("vessel.hydrostatics");
+  if (stiffness == nullptr) return;
+  const FieldValue* motion = root.find("vessel.motion");
+  if (coupled_of(root) != nullptr) {
+    check.error(*stiffness, "hydrostatics and a coupled hull, whose files contain them", "one of them");
+  } else if (motion != nullptr && motion->given && motion->kind == FieldValue::Kind::text) {
+    check.error(*stiffness, "hydrostatics of a hull that 'motion: fixed' holds", "one of them");
+  }
+  if (has_current(root)) {
+    check.warn(
+        *stiffness,
+        "the current acts on lines and pipe alone: give its force on the hull under vessel.loads, or a coupled hull");
+  }
+}
+
+void check_held(Checker& check) {
+  if (hull_floats(check.root())) return;
+  for (const char* key : {"vessel.loads", "station_keeping"}) {
+    const FieldValue* value = check.root().find(key);
+    if (value == nullptr || !value->given) continue;
+    check.error(*value, "given for a hull that is held",
+                "a hull that floats: vessel.hydrostatics or vessel.motion.coupled");
+  }
+}
+
+void check_damping(Checker& check, const FieldValue& hull) {
+  const FieldValue* damping = hull.find("damping");
+  if (damping == nullptr) return;
+  for (const FieldValue& mode : damping->children) {
+    if (mode.find("ratio") != nullptr && mode.find("linear") != nullptr) {
+      check.error(*mode.find("linear"), "a share of critical damping and a coefficient", "one of them");
+    }
+  }
+}
+
+/// Forces from a table need to know what it means.
+void check_table(Checker& check, const FieldValue& group, const std::string& file) {
+  const FieldValue* table = group.find("table");
+  for (const char* key : {"axes", "frontal_area", "lateral_area", "length"}) {
+    const FieldValue* value = group.find(key);
+    if (table == nullptr && value != nullptr && value->given) {
+      check.error(*value, "a key of a table of coefficients", "the key table as well");
+    }
+  }
+  if (table == nullptr) return;
+  for (const char* key : {"axes", "frontal_area", "lateral_area"}) {
+    if (!group.mentions(key)) check.missing(group, key, "the meaning of the table", "there is no usual one");
+  }
+  std::error_code fault;
+  if (!std::filesystem::exists(resolved_file(table->text, file), fault)) {
+    check.error(*table, "the file " + table->shown + ", which does not exist", "a CSV file with angle_deg,cx,cy,cz");
+  }
+}
+
+void check_hull_current(Checker& check, const FieldValue& hull, const std::string& file) {
+  const FieldValue* current = hull.find("current");
+  if (current == nullptr || !current->given) {
+    if (has_current(check.root()) && !hull.mentions("current")) {
+      check.missing(hull, "current", "how the current acts on the hull",
+                    "give {transverse: 0.8, longitudinal: 0.5} for strips, a table, or none");
+    }
+    return;
+  }
+  if (current->kind != FieldValue::Kind::map) return;
+  check_table(check, *current, file);
+  const bool by_table = current->find("table") != nullptr;
+  const bool by_dimensions = current->get_word<HullCurrentForm>("form") == HullCurrentForm::ufc;
+  for (const char* key : {"form", "transverse", "longitudinal", "relative_to"}) {
+    const FieldValue* value = current->find(key);
+    if (value == nullptr || !value->given) continue;
+    const bool coefficient = key == std::string("transverse") || key == std::string("longitudinal");
+    if (by_table) {
+      check.error(*value, "a key of strips beside a table", "one of them");
+    } else if (by_dimensions && coefficient) {
+      check.error(*value, "a coefficient beside form: ufc, which has its own", "one of them");
+    }
+  }
+}
+
+void check_wind(Checker& check, const FieldValue& hull, const std::string& file) {
+  const FieldValue* wind = hull.find("wind");
+  if (wind == nullptr || !wind->given) return;
+  check_table(check, *wind, file);
+  const FieldValue* table = wind->find("table");
+  if (table != nullptr && wind->mentions("areas")) check.error(*table, "a table and areas", "one of them");
+  if (table == nullptr && !wind->mentions("areas") && wind->get_number("speed").value_or(0.0) > 0.0) {
+    check.missing(*wind, "areas", "a list of areas", "or a table; without them the wind acts on nothing");
+  }
+}
+
+/// The file of a stem with the radiation coefficients, or the file itself.
+void check_hydrodynamics(Checker& check, const FieldValue& hull, const std::string& file) {
+  const FieldValue* stem = hull.find("hydrodynamics");
+  if (stem == nullptr) return;
+  const std::string path = resolved_file(stem->text, file);
+  std::error_code fault;
+  const bool there = std::filesystem::is_regular_file(path, fault);
+  const bool known = hydrodynamics_stem(path) != path || std::filesystem::path(path).extension() == ".nc";
+  if ((there && known) || std::filesystem::is_regular_file(path + ".1", fault)) return;
+  if (there) {
+    return check.error(*stem, "the file " + stem->shown + ", of a kind that is not read",
+                       "the common stem of WAMIT's files .1, .3, .8 and .hst, or a netCDF file of Capytaine (.nc)");
+  }
+  check.error(*stem, "the stem " + stem->shown + ", but there is no file '" + stem->text + ".1'",
+              "the common stem of files .1, .3, .8 and .hst beside the model file");
+}
+
+/// No hull displaces more than the box around it.
+void check_mass(Checker& check, const FieldValue& hull) {
+  const FieldValue* mass = hull.find("mass");
+  const FieldValue* vessel = check.root().find("vessel");
+  const auto water = check.root().get_number("environment.water_weight_density");
+  if (mass == nullptr || vessel == nullptr || !water) return;
+  const double box = vessel->get_number("length").value_or(0.0) * vessel->get_number("beam").value_or(0.0) *
+                     vessel->get_number("draught").value_or(0.0) * *water / kGravity;
+  if (mass->number > 1.02 * box) {
+    check.error(
+        *mass, mass->shown,
+        "at most the water displaced by a box of its length, beam and draught, " + format_quantity(box, "kg", "t"));
+  }
+}
+
+}  // namespace
+
+bool hull_floats(const FieldValue& root) {
+  return root.find("vessel.hydrostatics") != nullptr || coupled_of(root) != nullptr;
+}
+
+void check_hull(Checker& check, const std::string& file) {
+  check_freedom(check);
+  check_held(check);
+  const FieldValue* hull = coupled_of(check.root());
+  if (hull == nullptr) return;
+  check_damping(check, *hull);
+  check_hull_current(check, *hull, file);
+  check_wind(check, *hull, file);
+  check_hydrodynamics(check, *hull, file);
+  check_mass(check, *hull);
+}
+
+}  // namespace overbend

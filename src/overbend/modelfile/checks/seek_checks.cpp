@@ -1,0 +1,164 @@
+#include <algorithm>
+
+#include "base/name_parts.h"
+#include "base/text.h"
+#include "modelfile/checks/box_row_checks.h"
+#include "modelfile/checks/line_checks.h"
+#include "modelfile/checks/model_checks.h"
+#include "modelfile/fields/seek_values.h"
+#include "resultfiles/summary/named_results.h"
+
+namespace overbend {
+namespace {
+
+constexpr const char* kNoStages = "a goal seek looks at the lay as such, not at the stages of its operation";
+
+bool of_operation(const std::string& path) {
+  return path.starts_with("operation.");
+}
+
+/// Members of a group that is given once or as a list.
+std::vector<const FieldValue*> groups(const FieldValue& seek, const std::string& key) {
+  const FieldValue* found = seek.find(key);
+  if (found == nullptr) return {};
+  if (found->kind != FieldValue::Kind::list) return {found};
+  std::vector<const FieldValue*> all;
+  for (const FieldValue& item : found->children) all.push_back(&item);
+  return all;
+}
+
+bool is_meant(const FieldValue& item, std::size_t index, const std::string& text) {
+  return chooses_item(text, index, item.get_text("name").value_or(""));
+}
+
+/// Whether the lists of the model have items for the key; names of the first list that has none.
+bool has_items(const FieldValue& at, const std::vector<NamePart>& parts, std::size_t next,
+               std::vector<std::string>& names) {
+  if (next == parts.size()) return true;
+  const NamePart& part = parts[next];
+  if (!part.item) {
+    const FieldValue* member = at.find(part.text);
+    // A key that is left out is set in its group; a list that is not there has no items.
+    if (member == nullptr) {
+      return std::none_of(parts.begin() + static_cast<std::ptrdiff_t>(next), parts.end(),
+                          [](const NamePart& later) { return later.item; });
+    }
+    return has_items(*member, parts, next + 1, names);
+  }
+  bool any = false;
+  for (std::size_t i = 0; i < at.children.size(); ++i) {
+    if (is_meant(at.children[i], i, part.text)) any = has_items(at.children[i], parts, next + 1, names) || any;
+  }
+  if (!any && names.empty()) {
+    for (const FieldValue& item : at.children) names.push_back(item.get_text("name").value_or("an item"));
+  }
+  return any;
+}
+
+void check_value(Checker& check, const FieldValue* value, const Field& row) {
+  if (value == nullptr) return;
+  const ScalarReading reading = read_value_of(value->text, row);
+  if (!reading.value) check.error(*value, reading.found, reading.expected, reading.hint);
+}
+
+void check_bounds(Checker& check, const FieldValue& variable, const Field& row) {
+  const FieldValue *from = variable.find("from"), *to = variable.find("to"), *within = variable.find("within");
+  if (within != nullptr ? from != nullptr || to != nullptr : from == nullptr || to == nullptr) {
+    check.error(variable, within != nullptr ? "bounds given twice" : "no lower and upper bound",
+                "from and to, or within");
+    return;
+  }
+  check_value(check, from, row);
+  check_value(check, to, row);
+  Field change = row;
+  change.range = {.low = 0.0, .low_open = true};
+  check_value(check, within, change);
+  if (from == nullptr) return;
+  const ScalarReading low = read_value_of(from->text, row), high = read_value_of(to->text, row);
+  if (low.value && high.value && low.value->number >= high.value->number) {
+    check.error(*to, to->shown, "more than the lower bound, " + from->shown);
+  }
+}
+
+void check_variable(Checker& check, const FieldValue& variable) {
+  const FieldValue* key = variable.find("key");
+  if (key == nullptr) return;
+  const Field* row = varied_row(key->text);
+  if (row == nullptr) {
+    check.error(*key, key->shown, "a key of the model file with a quantity or a number, such as tensioner.tension",
+                "items of lists are chosen in brackets: supports.stinger.boxes[stinger 3].z");
+    return;
+  }
+  if (of_operation(key->text)) {
+    check.error(*key, key->shown, "a key that the lay itself has", kNoStages);
+    return;
+  }
+  if (key->text == "supports.ramp.radius" || key->text == "supports.stinger.radius") {
+    const FieldValue* structure = check.root().find(key->text.substr(0, key->text.rfind('.')));
+    if (structure == nullptr || box_row_of(*structure) == nullptr) {
+      check.error(*key, key->shown + " of listed boxes", "the radius of a row of boxes", kVaryListedBoxes);
+      return;
+    }
+  }
+  std::vector<std::string> names;
+  if (!has_items(check.root(), name_parts(key->text).value(), 0, names)) {
+    check.error(*key, key->shown, "an item that the list has",
+                names.empty() ? "the model has no such list" : "it has " + join_words(names, "and"));
+    return;
+  }
+  check_bounds(check, variable, *row);
+}
+
+/// The result nearest to what was meant, its lists with the item of that name.
+std::string nearest_result(const std::string& name) {
+  const std::string path = parsed_result_name(name).path;
+  if (of_operation(path)) return kNoStages;
+  const std::string near = nearest_word(path, result_paths());
+  return near.empty() ? "paths are those of summary.json, such as static.sagbend.max_bending_stress"
+                      : "did you mean '" + near + "'?";
+}
+
+bool check_result(Checker& check, const FieldValue* result) {
+  if (result == nullptr) return false;
+  if (result_row(result->text)) return true;
+  const FieldValue& root = check.root();
+  if (is_given(root, "lines") && !is_given(root, "pipe") && !is_given(root, "moorings")) {
+    check.error(*result, result->shown, "a lay or a vessel on mooring lines",
+                "lines by themselves can be solved and run in time, not sought");
+    return false;
+  }
+  check.error(*result, result->shown, "the path of a number in summary.json of a static analysis",
+              nearest_result(result->text));
+  return false;
+}
+
+void check_condition(Checker& check, const FieldValue& condition) {
+  const FieldValue* result = condition.find("result");
+  if (!check_result(check, result)) return;
+  std::vector<const FieldValue*> goals;
+  for (const char* relation : {"equals", "at_most", "at_least"}) {
+    if (const FieldValue* goal = condition.find(relation)) goals.push_back(goal);
+  }
+  if (goals.size() != 1) {
+    check.error(condition, goals.empty() ? "no value for the result" : "several values for the result",
+                "one of equals, at_most or at_least");
+    return;
+  }
+  check_value(check, goals.front(), *result_row(result->text));
+}
+
+}  // namespace
+
+void check_seek(Checker& check) {
+  const FieldValue* seek = check.root().find("seek");
+  if (seek == nullptr) return;
+  for (const FieldValue* variable : groups(*seek, "vary")) check_variable(check, *variable);
+  for (const FieldValue* condition : groups(*seek, "until")) check_condition(check, *condition);
+  if (const FieldValue* minimise = seek->find("minimise")) {
+    check_result(check, minimise);
+  } else if (!seek->mentions("until")) {
+    check.missing(*seek, "until", "a condition on a result", "or give a result to minimise");
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,58 @@
+#include <cmath>
+
+#include "model/description/description_words.h"
+#include "modelfile/checks/line_checks.h"
+#include "modelfile/checks/model_checks.h"
+
+namespace overbend {
+namespace {
+
+void check_weight(Checker& check, const FieldValue& structure) {
+  const FieldValue* submerged = structure.find("weight_submerged");
+  const auto in_air = structure.get_number("weight_in_air");
+  if (submerged != nullptr && in_air && submerged->number > *in_air) {
+    check.error(*submerged, submerged->shown, "at most its weight in air");
+  }
+}
+
+/// Two structures may touch but not lie over each other.
+void check_apart(Checker& check, const FieldValue& one, const FieldValue& other, const std::string& name_of_other) {
+  const FieldValue* at = one.find("at");
+  const auto other_at = other.get_number("at");
+  if (at == nullptr || !other_at) return;
+  const double lengths = one.get_number("length").value_or(0.0) + other.get_number("length").value_or(0.0);
+  if (std::abs(at->number - *other_at) < 0.5 * lengths * (1.0 - 1e-9)) {
+    check.error(*at, at->shown, "a place beside '" + name_of_other + "', which lies there");
+  }
+}
+
+void check_passage(Checker& check, const std::vector<std::string>& names) {
+  const FieldValue* operation = check.root().find("operation");
+  if (operation == nullptr) return;
+  const FieldValue* structure = operation->find("structure");
+  const bool passage = operation->get_word<OperationType>("type") == OperationType::passage;
+  if (structure != nullptr && structure->given) {
+    if (!passage) check.error(*structure, "a key of passage", "none in this type of operation");
+    check_name(check, *structure, names, "pipe.structures");
+  } else if (passage) {
+    check.missing(*operation, "structure", "the name of a structure under pipe.structures", "it moves along the line");
+  }
+}
+
+}  // namespace
+
+void check_structures(Checker& check) {
+  const FieldValue* pipe = check.root().find("pipe");
+  if (pipe == nullptr) return;
+  const std::vector<FieldValue>& structures = Checker::items(*pipe, "structures");
+  check_unique_names(check, structures, "structure");
+  std::vector<std::string> names;
+  for (const FieldValue& structure : structures) {
+    names.push_back(structure.get_text("name").value_or("structure " + std::to_string(names.size() + 1)));
+    check_weight(check, structure);
+    for (std::size_t i = 0; i + 1 < names.size(); ++i) check_apart(check, structure, structures[i], names[i]);
+  }
+  check_passage(check, names);
+}
+
+}  // namespace overbend

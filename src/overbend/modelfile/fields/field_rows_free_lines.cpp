@@ -1,0 +1,118 @@
+#include <array>
+
+#include "model/description/description_words.h"
+#include "modelfile/fields/field_rows_lines.h"
+#include "modelfile/fields/row_makers.h"
+
+namespace overbend::field_rows {
+namespace {
+
+using Line = FreeLineDescription;
+using End = LineEndDescription;
+
+const std::string kEnd = "lines[].ends[]";
+
+/// Items of a list know their index by their path alone.
+LineEndDescription& open_end(Line& line, const FieldValue& end) {
+  return end.path.ends_with("[0]") ? line.first : line.second;
+}
+
+Member end_place(LineEndKind kind) {
+  return opened_by<End>([kind](End& end, const FieldValue&) -> Vec3& {
+    end.kind = kind;
+    return end.at;
+  });
+}
+
+std::vector<Field> places() {
+  std::vector<Field> rows = vector_rows(
+      {.group = otherwise(group_row(kEnd + ".fixed", end_place(LineEndKind::fixed), "Held at this place of the world."),
+                          "another of fixed, body, bed and water"),
+       .shown = kLength,
+       .texts = world_axes_words()});
+  Field body =
+      otherwise(row_of_kind(FieldKind::choice, kEnd + ".body", taken_by<End>([](End& end, const FieldValue& name) {
+                              end.kind = LineEndKind::body;
+                              end.body = name.text;
+                            }),
+                            "Held by this body, at the point `at`."),
+                "another of fixed, body, bed and water");
+  body.choices = {"vessel"};
+  rows.push_back(body);
+  append(rows,
+         vector_rows({.group = otherwise(group_row(kEnd + ".at", enters(&End::at), "Point of the body, in its frame."),
+                                         "must be given with body"),
+                      .shown = kLength,
+                      .texts = vessel_axes_words()}));
+  std::vector<std::string> on_bed = world_axes_words();
+  on_bed.pop_back();
+  append(rows,
+         vector_rows({.group = otherwise(group_row(kEnd + ".bed", end_place(LineEndKind::bed), "Held on the seabed."),
+                                         "another of fixed, body, bed and water"),
+                      .shown = kLength,
+                      .texts = on_bed}));
+  append(rows, vector_rows({.group = otherwise(group_row(kEnd + ".water", end_place(LineEndKind::water),
+                                                         "Held at a place between seabed and water level."),
+                                               "another of fixed, body, bed and water"),
+                            .shown = kLength,
+                            .texts = world_axes_words()}));
+  return rows;
+}
+
+std::vector<Field> direction() {
+  const auto open = [](End& end, const FieldValue&) -> Vec3& {
+    end.clamped = true;
+    return end.direction;
+  };
+  const std::vector<std::string> texts = {"Along x.", "Along y.", "Along z."};
+  const std::string d = kEnd + ".direction";
+  std::vector<Field> rows = {otherwise(
+      group_row(d, opened_by<End>(open), "Direction of the line at a clamped end, from the first end to the second."),
+      "the end is free to turn")};
+  for (int i = 0; i < 3; ++i) {
+    constexpr std::array kKeys = {".x", ".y", ".z"};
+    rows.push_back(row_of_kind(FieldKind::number, d + kKeys[static_cast<std::size_t>(i)],
+                               with_default(component(i), 0.0), texts[static_cast<std::size_t>(i)],
+                               {.low = -1e6, .high = 1e6}));
+  }
+  return rows;
+}
+
+std::vector<Field> motion() {
+  const std::string m = kEnd + ".motion";
+  std::vector<Field> rows = {otherwise(group_row(m, {},
+                                                 "Prescribed motion amplitude * sin(2 pi t / period + phase) of an "
+                                                 "end that is not on a body; only dynamics uses it."),
+                                       "at rest")};
+  append(rows, vector_rows({.group = required(group_row(m + ".amplitude", enters(&End::amplitude), "Amplitudes.")),
+                            .shown = kLength,
+                            .texts = {"To the east.", "To the north.", "Upwards."},
+                            .all = false}));
+  append(rows, {required(quantity_row(m + ".period", fills(&End::period), "Period.", kTime, kPositive)),
+                quantity_row(m + ".phase", defaults(&End::phase), "Phase at t = 0.", kAngle, azimuth())});
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Field> free_lines() {
+  Field ends = required(list_row("lines[].ends", {}, "What holds its two ends.", ""));
+  ends.least = ends.most = 2;
+  std::vector<Field> rows = {
+      list_row("lines", enters(&Description::lines), "Cables, chains and flexibles between two ends.", "none"),
+      group_row("lines[]", appends_named<Line>("line"), "One line."),
+      otherwise(
+          row_of_kind(FieldKind::text, "lines[].name", fills(&Line::name), "Name in the results; must be unique."),
+          "line 1, 2, ..."),
+      ends, group_row(kEnd, opened_by<Line>(open_end), "One end: fixed, body with at, bed, or water.")};
+  append(rows, places());
+  append(rows, direction());
+  append(rows, motion());
+  append(rows, line_body_rows<Line>("lines[]"));
+  append(rows, {otherwise(quantity_row("lines[].element", fills(&Line::element), "Length of its elements.", kLength,
+                                       {.low = 0.02, .high = 1000.0}),
+                          "chosen by the program")});
+  return rows;
+}
+
+}  // namespace overbend::field_rows

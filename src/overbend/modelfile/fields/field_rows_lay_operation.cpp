@@ -1,0 +1,98 @@
+#include "modelfile/fields/row_makers.h"
+
+namespace overbend::field_rows {
+namespace {
+
+using Lay = LayOperationDescription;
+
+/// A member of what the file says of an operation on the line, under the group `operation`.
+Member of_lay(const Member& member) {
+  return through(&OperationDescription::lay, member);
+}
+
+std::vector<Field> head() {
+  using Head = HeadDescription;
+  const std::string p = "operation.head";
+  const auto as_pipe = [](Head& head, const FieldValue&) { head.section.reset(); };
+  Field word = row_of_kind(FieldKind::choice, p + ".section", with_default(taken_by<Head>(as_pipe), "pipe"),
+                           "pipe: stiffness, diameter and drag of the head are the pipe's; or a group of the keys "
+                           "below.");
+  word.choices = {"pipe"};
+  std::vector<Field> rows = {
+      otherwise(group_row(p, of_lay(enters(&Lay::head)), "What closes the pipe and takes the cable."),
+                "required by abandonment, recovery, lay_down and start_up"),
+      required(quantity_row(p + ".length", fills(&Head::length), "Its length.", kLength,
+                            {.low = 0.0, .high = 100.0, .low_open = true})),
+      required(quantity_row(p + ".weight_in_air", fills(&Head::weight_in_air),
+                            "Weight of the whole head in air, spread evenly over its length.", kForce, kPositive)),
+      required(quantity_row(p + ".weight_submerged", fills(&Head::weight_submerged),
+                            "Weight of the whole head under water; negative for one that floats.", kForce)),
+      word,
+      group_row(p + ".section", read_elsewhere(),
+                "Section of the head: its stiffness, diameter and drag; its weight is given above.")};
+  append(rows, head_section_rows(p + ".section"));
+  return rows;
+}
+
+std::vector<Field> cable() {
+  using Cable = CableDescription;
+  const std::string p = "operation.cable";
+  const Shown weight = {"N/m", "N/m"};
+  const auto coefficient = [&](const std::string& key, double Cable::*member, const std::string& text) {
+    return row_of_kind(FieldKind::number, p + "." + key, defaults(member), text, {.low = 0.0, .high = 10.0});
+  };
+  return {
+      otherwise(group_row(p, of_lay(enters(&Lay::cable)), "The cable, which has no bending stiffness."),
+                "required by abandonment, recovery, lay_down and start_up"),
+      required(quantity_row(p + ".diameter", fills(&Cable::diameter),
+                            "Diameter, with which it lies on rollers and seabed and drags.", {"m", "mm"},
+                            {.low = 0.0, .high = 1.0, .low_open = true})),
+      required(quantity_row(p + ".weight_in_air", fills(&Cable::weight_in_air), "Weight per length in air.", weight,
+                            kPositive)),
+      required(quantity_row(p + ".weight_submerged", fills(&Cable::weight_submerged),
+                            "Weight per length under water; negative for a cable that floats.", weight)),
+      required(quantity_row(p + ".axial_stiffness", fills(&Cable::axial_stiffness), "Axial stiffness EA.", kForce,
+                            kPositive)),
+      otherwise(quantity_row(p + ".breaking_load", fills(&Cable::breaking_load),
+                             "Minimum breaking load, for the utilisation.", kForce, kPositive),
+                "not checked"),
+      coefficient("drag_normal", &Cable::drag_normal, "Normal drag."),
+      coefficient("drag_axial", &Cable::drag_axial, "Axial drag, on the circumference."),
+      coefficient("added_mass_normal", &Cable::added_mass_normal, "Normal added mass over the displaced water."),
+      coefficient("added_mass_axial", &Cable::added_mass_axial, "Axial added mass over the displaced water."),
+      otherwise(quantity_row(p + ".length", fills(&Cable::length),
+                             "Of start_up: unstressed length from the head to the anchor.", kLength, kPositive),
+                "required by start_up"),
+  };
+}
+
+}  // namespace
+
+std::vector<Field> lay_operation() {
+  std::vector<Field> rows = head();
+  append(rows, cable());
+  append(rows,
+         {otherwise(group_row("operation.winch", of_lay(enters(&Lay::winch)),
+                              "Of abandonment, recovery and lay_down: where the cable is held."),
+                    "the tensioner's place"),
+          required(quantity_row("operation.winch.x", fills(&WinchPlace::x),
+                                "Astern of the stern shoe, as the tensioner's.", kLength)),
+          required(quantity_row("operation.winch.z", fills(&WinchPlace::z), "Above the stern shoe, as the tensioner's.",
+                                kLength)),
+          otherwise(group_row("operation.anchor", of_lay(enters(&Lay::anchor)),
+                              "Of start_up: dead-man anchor or bow-string to which the cable is pinned."),
+                    "required by start_up"),
+          required(quantity_row("operation.anchor.depth", fills(&StartUpAnchor::depth),
+                                "Of the pin below the water; of a cable that lies on the seabed, that of its axis.",
+                                kLength, kPositive)),
+          otherwise(quantity_row("operation.anchor.distance", fills(&StartUpAnchor::distance),
+                                 "Of the pin astern of the stern shoe. The tension of each stage follows.", kLength,
+                                 kPositive),
+                    "follows from the tension of each stage"),
+          otherwise(row_of_kind(FieldKind::text, "operation.tank", of_lay(fills(&Lay::tank)),
+                                "Of ballast: name of the tank of the stinger."),
+                    "required by ballast")});
+  return rows;
+}
+
+}  // namespace overbend::field_rows

@@ -1,0 +1,173 @@
+#include "model/description/description_words.h"
+#include "modelfile/fields/row_makers.h"
+
+namespace overbend::field_rows {
+namespace {
+
+using Operation = OperationDescription;
+
+/// One stage while its keys are bound: of a moored vessel or of the line, as the type of the operation says. What
+/// belongs to the other kind (an error, where it is checked) goes to a spare.
+struct StageTarget {
+  MooredStageDescription* moored_stage = nullptr;
+  LayStageDescription* lay_stage = nullptr;
+  MooredStageDescription spare_moored = {};
+  LayStageDescription spare_lay = {};
+
+  MooredStageDescription& moored() { return moored_stage != nullptr ? *moored_stage : spare_moored; }
+  LayStageDescription& lay() { return lay_stage != nullptr ? *lay_stage : spare_lay; }
+};
+
+Operation& start_stages(Operation& operation, const FieldValue&) {
+  operation.stages.clear();
+  operation.lay.stages.clear();
+  return operation;
+}
+
+StageTarget add_stage(Operation& operation, const FieldValue&) {
+  StageTarget stage;
+  if (is_lay_operation(operation.type)) {
+    stage.lay_stage = &operation.lay.stages.emplace_back();
+  } else {
+    stage.moored_stage = &operation.stages.emplace_back();
+    stage.moored_stage->name = "stage " + std::to_string(operation.stages.size());
+  }
+  return stage;
+}
+
+Member names_stage() {
+  return taken_by<StageTarget>(
+      [](StageTarget& stage, const FieldValue& name) { stage.moored().name = stage.lay().name = name.text; });
+}
+
+/// A number of a stage of the line.
+Field lay_number(const std::string& key, std::optional<double> LayStageDescription::*member, const std::string& text,
+                 const Shown& shown, const Range& range, const std::string& omitted) {
+  const Member take = taken_by<StageTarget>(
+      [member](StageTarget& stage, const FieldValue& value) { stage.lay().*member = value.number; });
+  return otherwise(quantity_row("operation.stages[]." + key, take, text, shown, range), omitted);
+}
+
+std::vector<Field> listed() {
+  using Lay = LayStageDescription;
+  using Moored = MooredStageDescription;
+  const std::string s = "operation.stages[]";
+  const auto parted = [](StageTarget& stage, const FieldValue&) -> std::vector<std::string>& {
+    return stage.moored().parted;
+  };
+  const auto loads = [](StageTarget& stage, const FieldValue&) -> decltype(Moored::loads)& {
+    return stage.moored().loads;
+  };
+  std::vector<Field> rows = {
+      list_row("operation.stages", opened_by<Operation>(start_stages),
+               "Of moored: load cases, each from the vessel as drawn. Of operations on the line: how far it has gone "
+               "and what pulls it; those of recovery are done in reverse order.",
+               "the model as it is; required by operations on the line"),
+      group_row(s, opened_by<Operation>(add_stage), "One stage."),
+      otherwise(row_of_kind(FieldKind::text, s + ".name", names_stage(), "Name in the results."), "stage 1, 2, ..."),
+      list_row(s + ".parted", opened_by<StageTarget>(parted), "Of moored: names of mooring lines that are not there.",
+               "none"),
+      row_of_kind(FieldKind::text, s + ".parted[]", appends_value<std::string>(), "A name under moorings.lines."),
+      list_row(s + ".loads", opened_by<StageTarget>(loads), "Of moored: loads on the vessel besides vessel.loads.",
+               "none")};
+  append(rows, vessel_load_rows(s + ".loads"));
+  append(rows, {lay_number("cable_out", &Lay::cable_out,
+                           "Of abandonment, recovery and lay_down: unstressed length of the cable from winch to head.",
+                           kLength, kPositive, "not used by other types"),
+                lay_number("pipe_out", &Lay::pipe_out,
+                           "Of start_up: unstressed length of the pipe from the tensioner to the head.", kLength,
+                           kPositive, "not used by other types"),
+                lay_number("passed", &Lay::passed,
+                           "Of passage: unstressed length from the tensioner to the middle of the structure.", kLength,
+                           kNotNegative, "not used by other types"),
+                lay_number("ahead", &Lay::ahead, "Of move: length of pipe that has left the vessel as it moved ahead.",
+                           kLength, kNotNegative, "not used by other types"),
+                lay_number("weight", &Lay::tank_weight, "Of ballast: weight of the tank, empty.", kForce, kNotNegative,
+                           "that of the tank"),
+                otherwise(row_of_kind(FieldKind::number, s + ".ballast",
+                                      taken_by<StageTarget>([](StageTarget& stage, const FieldValue& value) {
+                                        stage.lay().tank_ballast = value.number;
+                                      }),
+                                      "Of ballast: fraction of the tank that is flooded.", {.low = 0.0, .high = 1.0}),
+                          "that of the tank"),
+                lay_number("tension", &Lay::tension, "Effective tension at the winch or tensioner.", kForce, kPositive,
+                           "tensioner.tension"),
+                lay_number("bottom_tension", &Lay::bottom_tension,
+                           "Instead of tension: horizontal tension at touchdown.", kForce, kPositive, "not used")});
+  return rows;
+}
+
+/// Members of what a sought tension keeps.
+std::vector<Field> limits() {
+  using Limits = StageLimits;
+  const std::string p = "operation.stages.limits";
+  const auto limit = [&](const std::string& key, std::optional<double> Limits::*member, const std::string& text,
+                         const Shown& shown, const Range& range) {
+    return otherwise(quantity_row(p + "." + key, fills(member), text, shown, range), "no limit");
+  };
+  return {group_row(p, enters(&StageProgram::limits), "Of tension: seek: what every stage has to keep."),
+          limit("sagbend_strain", &Limits::sagbend_strain, "Largest strain in the sagbend.", {"1", "%"},
+                {.low = 0.0, .high = 0.1, .low_open = true}),
+          limit("sagbend_stress", &Limits::sagbend_stress, "Largest von Mises stress in the sagbend.", {"N/m^2", "MPa"},
+                kPositive),
+          limit("tip_clearance", &Limits::tip_clearance, "Least clearance over the last roller of the stinger.",
+                kLength, kNotNegative),
+          limit("roller_load", &Limits::roller_load, "Largest reaction of a roller.", kForce, kPositive),
+          row_of_kind(FieldKind::number, p + ".utilisation", defaults(&Limits::utilisation),
+                      "Largest utilisation of the code checks and of the cable's breaking load.",
+                      {.low = 0.0, .high = 10.0, .low_open = true})};
+}
+
+void hold_values(StageProgram& program, const FieldValue& value) {
+  program.tension = StageTension::hold;
+  program.values.push_back(value.number);
+}
+
+std::vector<Field> generated() {
+  using Program = StageProgram;
+  const std::string p = "operation.stages";
+  const auto open = [](Operation& operation, const FieldValue&) -> Program& { return operation.lay.program.emplace(); };
+  const auto itself = [](Program& program, const FieldValue&) -> Program& {
+    program.values.clear();
+    return program;
+  };
+  const auto bound = [&](const std::string& key, std::optional<double> Program::*member, const std::string& text,
+                         const std::string& omitted) {
+    return otherwise(quantity_row(p + "." + key, fills(member), text, kForce, kPositive), omitted);
+  };
+  Field values = list_row(p + ".tension", opened_by<Program>(itself),
+                          "Forces at even distances from the first stage to the last, linear between them.", "hold");
+  values.least = 1;
+  std::vector<Field> rows = {
+      group_row(p, opened_by<Operation>(open),
+                "Stages of an operation on the line at even steps of cable_out, pipe_out, ahead or passed."),
+      required(quantity_row(p + ".from", fills(&Program::from),
+                            "cable_out, pipe_out, ahead or passed of the first stage.", kLength, kNotNegative)),
+      required(quantity_row(p + ".to", fills(&Program::to), "The same of the last stage.", kLength, kNotNegative)),
+      row_of_kind(FieldKind::integer, p + ".steps", defaults(&Program::steps),
+                  "Number of steps between them; stages are one more.", {.low = 1.0, .high = 1000.0}),
+      row_of_kind(FieldKind::choice, p + ".tension", defaults(&Program::tension),
+                  "hold: tensioner.tension; bottom: such that bottom_tension is the horizontal tension at touchdown; "
+                  "seek: the least that keeps the limits; or a list of forces."),
+      values,
+      quantity_row(p + ".tension[]", taken_by<Program>(hold_values), "Effective tension at the winch or tensioner.",
+                   kForce, kPositive),
+      bound("bottom_tension", &Program::bottom_tension, "Of tension: bottom: horizontal tension at touchdown.",
+            "required by tension: bottom"),
+      bound("tension_from", &Program::tension_from, "Of tension: seek: the least that may be chosen.",
+            "chosen by the program"),
+      bound("tension_to", &Program::tension_to, "Of tension: seek: the largest that may be chosen.",
+            "chosen by the program")};
+  append(rows, limits());
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Field> operation_stages() {
+  std::vector<Field> rows = listed();
+  append(rows, generated());
+  return rows;
+}
+
+}  // namespace overbend::field_rows

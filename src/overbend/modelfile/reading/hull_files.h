@@ -1,0 +1,14 @@
+/// Reads the files of a coupled hull that a model names.
+#pragma once
+
+#include "base/diagnostics.h"
+#include "model/description/description.h"
+#include "modelfile/schema/field_value.h"
+
+namespace overbend {
+
+/// Fills the description's hydrodynamic data and tables of current and wind coefficients, and says where they do not
+/// fit the vessel. Nothing happens without a coupled hull.
+void read_hull_files(const FieldValue& root, Description& description, Diagnostics& diagnostics);
+
+}  // namespace overbend

@@ -1,0 +1,219 @@
+/// What a key of the model file fills: the last part of its row in the field table.
+///
+/// Values are bound from the root downwards, in the table's order. A row receives the object that its group belongs to
+/// and says which object the values below it belong to. The types of both are known, so that a row under the wrong
+/// group is found when the table is made (modelfile/schema/field_tree.h).
+#pragma once
+
+#include <any>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <typeindex>
+#include <typeinfo>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/require.h"
+#include "base/words.h"
+
+namespace overbend {
+
+struct FieldValue;
+
+/// Holds a `T*`, or a `T` that lives only while the values below it are bound.
+using Target = std::any;
+
+struct Member {
+  using Default = std::variant<double, std::int64_t, std::string>;
+
+  /// Puts a value into its member; returns what the values below it belong to, nothing where they are bound by others.
+  /// Where it is empty, they belong to the same object as the row itself.
+  std::function<Target(Target& owner, const FieldValue& value)> put = {};
+  std::type_index owner = typeid(void);  ///< Type of the object that the row needs; void where `put` is empty.
+  std::type_index below = typeid(void);  ///< Type of the object for the values below; void where there is none.
+  std::optional<Default> standard = {};  ///< What the member has where the key is left out, if the row says so.
+  std::vector<std::string> words = {};   ///< Of an enumeration.
+};
+
+/// The object behind a target.
+template <typename T>
+T& object(Target& target) {
+  if (T* const* pointer = std::any_cast<T*>(&target)) return **pointer;
+  T* held = std::any_cast<T>(&target);
+  require(held != nullptr, "a row of the field table belongs to the type of its group");
+  return *held;
+}
+
+namespace member_values {
+
+void read(const FieldValue& value, double& target);
+void read(const FieldValue& value, int& target);
+void read(const FieldValue& value, std::uint64_t& target);
+void read(const FieldValue& value, std::string& target);
+const std::string& text(const FieldValue& value);
+
+template <HasWords Enum>
+void read(const FieldValue& value, Enum& target) {
+  const std::optional<Enum> found = from_word<Enum>(text(value));
+  require(found.has_value(), "a choice that was accepted is one of its words");
+  target = *found;
+}
+
+template <typename T>
+void read(const FieldValue& value, std::optional<T>& target) {
+  read(value, target.emplace());
+}
+
+inline Member::Default standard(double value) {
+  return value;
+}
+inline Member::Default standard(const std::string& value) {
+  return value;
+}
+template <typename T>
+Member::Default standard(T value) {
+  if constexpr (HasWords<T>) {
+    return std::string(word_of(value));
+  } else {
+    static_assert(std::is_integral_v<T>);
+    return static_cast<std::int64_t>(value);
+  }
+}
+
+template <typename T>
+struct Plain {
+  using type = T;
+};
+template <typename T>
+struct Plain<std::optional<T>> {
+  using type = T;
+};
+
+template <typename T>
+std::vector<std::string> words() {
+  if constexpr (HasWords<T>) return words_of<T>();
+  return {};
+}
+
+}  // namespace member_values
+
+namespace field_rows {
+
+/// The row with a default that the member itself does not hold.
+inline Member with_default(Member row, Member::Default standard) {
+  row.standard = std::move(standard);
+  return row;
+}
+
+/// Any other way to take a value: `put(owner, value)`.
+template <typename Owner, typename Put>
+Member taken_by(Put put) {
+  Member member;
+  member.owner = typeid(Owner);
+  member.put = [put](Target& owner, const FieldValue& value) {
+    put(object<Owner>(owner), value);
+    return Target();
+  };
+  return member;
+}
+
+/// Items of a list of plain values.
+template <typename T>
+Member appends_value() {
+  return taken_by<std::vector<T>>(
+      [](std::vector<T>& list, const FieldValue& value) { member_values::read(value, list.emplace_back()); });
+}
+
+/// The object that the values below belong to: a reference from `open(owner, value)`, or a value of its own.
+template <typename Owner, typename Open>
+Member opened_by(Open open) {
+  using Below = std::invoke_result_t<Open, Owner&, const FieldValue&>;
+  Member member;
+  member.owner = typeid(Owner);
+  member.below = typeid(std::remove_reference_t<Below>);
+  member.put = [open](Target& owner, const FieldValue& value) -> Target {
+    if constexpr (std::is_reference_v<Below>) {
+      return &open(object<Owner>(owner), value);
+    } else {
+      return open(object<Owner>(owner), value);
+    }
+  };
+  return member;
+}
+
+/// The value fills this member. What leaving the key out means, the row says in words.
+template <typename Owner, typename T>
+Member fills(T Owner::*member) {
+  Member row =
+      taken_by<Owner>([member](Owner& owner, const FieldValue& value) { member_values::read(value, owner.*member); });
+  row.words = member_values::words<typename member_values::Plain<T>::type>();
+  return row;
+}
+
+/// The same; left out, the key has the value that the member has by itself.
+template <typename Owner, typename T>
+Member defaults(T Owner::*member) {
+  Member row = fills(member);
+  row.standard = member_values::standard(Owner{}.*member);
+  return row;
+}
+
+/// The keys below fill the object in this member.
+template <typename Owner, typename T>
+Member enters(T Owner::*member) {
+  return opened_by<Owner>([member](Owner& owner, const FieldValue&) -> T& { return owner.*member; });
+}
+
+/// The same for an object that is there only where its group is given.
+template <typename Owner, typename T>
+Member enters(std::optional<T> Owner::*member) {
+  return opened_by<Owner>([member](Owner& owner, const FieldValue&) -> T& { return (owner.*member).emplace(); });
+}
+
+/// A list given replaces the one in this member.
+template <typename Owner, typename T>
+Member enters(std::vector<T> Owner::*member) {
+  return opened_by<Owner>([member](Owner& owner, const FieldValue&) -> std::vector<T>& {
+    (owner.*member).clear();
+    return owner.*member;
+  });
+}
+
+/// An item of such a list.
+template <typename T>
+Member appends() {
+  return opened_by<std::vector<T>>([](std::vector<T>& list, const FieldValue&) -> T& { return list.emplace_back(); });
+}
+
+/// An item of such a list, "coating 2" as long as it has no name of its own.
+template <typename T>
+Member appends_named(const char* kind) {
+  return opened_by<std::vector<T>>([kind](std::vector<T>& list, const FieldValue&) -> T& {
+    T& item = list.emplace_back();
+    item.name = kind + (" " + std::to_string(list.size()));
+    return item;
+  });
+}
+
+/// A row for a member of `Part`, under a group that belongs to the `Owner` of such a part.
+template <typename Owner, typename Part>
+Member through(Part Owner::*part, const Member& row) {
+  if (!row.put) return enters(part);
+  Member outer = row;
+  outer.owner = typeid(Owner);
+  outer.put = [part, put = row.put](Target& owner, const FieldValue& value) {
+    Target inner = &(object<Owner>(owner).*part);
+    return put(inner, value);
+  };
+  return outer;
+}
+
+/// Values that the row of their list, or another reader, takes.
+Member read_elsewhere();
+
+}  // namespace field_rows
+}  // namespace overbend

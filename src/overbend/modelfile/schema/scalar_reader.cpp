@@ -1,0 +1,164 @@
+#include "modelfile/schema/scalar_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/text.h"
+#include "base/units.h"
+
+namespace overbend {
+namespace {
+
+std::string shown(const YamlNode& node) {
+  return "'" + for_display(node.text) + "'";
+}
+
+/// Closed bounds hold to rounding, so that 90 deg is not above 90 deg. An absent bound is infinite and near to nothing.
+bool within(const Range& range, double value) {
+  const auto close = [&](double bound) {
+    return std::isfinite(bound) && std::abs(value - bound) <= 1e-12 * std::abs(bound);
+  };
+  if (close(range.low)) return !range.low_open;
+  if (close(range.high)) return !range.high_open;
+  return range.contains(value);
+}
+
+std::string expected_value(const Field& field) {
+  const std::string range = range_words(field, field.range);
+  return range.empty() ? kind_words(field) : kind_words(field) + ", " + range;
+}
+
+ScalarReading refuse(std::string found, const Field& field, std::string hint = {}) {
+  return {std::nullopt, std::move(found), expected_value(field), std::move(hint), {}};
+}
+
+FieldValue valued(FieldValue::Kind kind, const YamlNode& node) {
+  FieldValue value;
+  value.kind = kind;
+  value.shown = shown(node);
+  return value;
+}
+
+/// Beyond it a number is not meant, or not what is kept: whole numbers are exact up to 2^53.
+double largest(const Field& field) {
+  if (field.kind == FieldKind::quantity && !std::isfinite(field.range.high)) return largest_sensible(field.unit);
+  if (field.kind == FieldKind::quantity) return std::max(largest_sensible(field.unit), std::abs(field.range.high));
+  return field.kind == FieldKind::integer ? 9e15 : 1e15;
+}
+
+ScalarReading accept_number(double number, FieldValue value, const Field& field) {
+  const double limit = largest(field);
+  if (!within(field.range, number)) return refuse(value.shown, field);
+  if (!(std::abs(number) <= limit)) return refuse(value.shown + ", beyond anything sensible", field);
+  value.number = number;
+  ScalarReading reading{std::move(value), {}, {}, {}, {}};
+  if (!within(field.usual, number)) reading.unusual = range_words(field, field.usual);
+  return reading;
+}
+
+std::string bare_number_hint(const std::string& number, const Field& field) {
+  const std::string written = "write it as '" + number + " " + field.show + "'";
+  return field.unit != "1" ? written + " or in another unit"
+                           : written + ", or in per cent what was meant as a fraction";
+}
+
+ScalarReading read_quantity(const YamlNode& node, const Field& field) {
+  const QuantityReading quantity = parse_quantity(trim(for_display(node.text, 200)), field.unit);
+  if (!quantity.value) {
+    const bool bare = parse_number(trim(node.text)).has_value();
+    return refuse(quantity.found, field, bare ? bare_number_hint(std::string(trim(node.text)), field) : quantity.hint);
+  }
+  ScalarReading reading = accept_number(*quantity.value, valued(FieldValue::Kind::number, node), field);
+  reading.remark = quantity.remark;
+  return reading;
+}
+
+/// A share as people read it in results, "0.5 %".
+std::optional<double> parse_percent(std::string_view text) {
+  if (!text.ends_with('%')) return std::nullopt;
+  const std::optional<double> number = parse_number(trim(text.substr(0, text.size() - 1)));
+  return number ? std::optional(1e-2 * *number) : std::nullopt;
+}
+
+std::string number_hint(const std::string& text) {
+  const bool digit = !text.empty() && text[0] >= '0' && text[0] <= '9';
+  if (digit && text.find(',') != std::string::npos) return "the decimal sign is a point";
+  if (text.size() > 1 && text[0] == '0' && digit && text[1] != '.') return "write it without a leading zero";
+  if (digit && text.find_first_not_of("0123456789.eE+-") != std::string::npos) return "it takes no unit";
+  return {};
+}
+
+/// NaN and infinity in YAML's own spelling need their name said.
+std::string number_found(const YamlNode& node) {
+  const std::string lower = lower_case(node.text);
+  if (lower.find(".nan") != std::string::npos || lower.find(".inf") != std::string::npos) {
+    return shown(node) + ", which is not a finite number";
+  }
+  return node.quoted ? shown(node) + ", a text in quotes" : shown(node);
+}
+
+ScalarReading read_number(const YamlNode& node, const Field& field) {
+  std::optional<double> number = node.quoted ? std::nullopt : parse_number(node.text);
+  if (!number) number = parse_percent(trim(node.text));
+  if (!number) return refuse(number_found(node), field, node.quoted ? "leave out the quotes" : number_hint(node.text));
+  return accept_number(*number, valued(FieldValue::Kind::number, node), field);
+}
+
+ScalarReading read_integer(const YamlNode& node, const Field& field) {
+  const std::optional<double> number = node.quoted ? std::nullopt : parse_number(node.text);
+  if (!number) return refuse(number_found(node), field, node.quoted ? "leave out the quotes" : number_hint(node.text));
+  std::int64_t integer = 0;
+  const std::size_t skip = node.text.front() == '+' ? 1 : 0;
+  const char* end = node.text.data() + node.text.size();
+  const auto [stop, fault] = std::from_chars(node.text.data() + skip, end, integer);
+  if (fault != std::errc() || stop != end) return refuse(shown(node), field);
+  ScalarReading reading = accept_number(*number, valued(FieldValue::Kind::integer, node), field);
+  if (reading.value) reading.value->integer = integer;
+  return reading;
+}
+
+ScalarReading read_text(const YamlNode& node, const Field& field) {
+  constexpr std::size_t kLongest = 500;
+  const bool control = std::any_of(node.text.begin(), node.text.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7f;
+  });
+  if (trim(node.text).empty()) return refuse("an empty text", field);
+  if (control || node.text.size() > kLongest) return refuse(shown(node), field, "one line of at most 500 characters");
+  FieldValue value = valued(FieldValue::Kind::text, node);
+  value.text = node.text;
+  return {std::move(value), {}, {}, {}, {}};
+}
+
+ScalarReading read_choice(const YamlNode& node, const Field& field) {
+  if (std::find(field.choices.begin(), field.choices.end(), node.text) == field.choices.end()) {
+    const std::string near = nearest_word(node.text, field.choices);
+    return refuse(shown(node), field, near.empty() ? "" : "did you mean '" + near + "'?");
+  }
+  FieldValue value = valued(FieldValue::Kind::text, node);
+  value.text = node.text;
+  return {std::move(value), {}, {}, {}, {}};
+}
+
+}  // namespace
+
+ScalarReading read_scalar(const YamlNode& node, const Field& field) {
+  switch (field.kind) {
+    case FieldKind::quantity:
+      return read_quantity(node, field);
+    case FieldKind::number:
+      return read_number(node, field);
+    case FieldKind::integer:
+      return read_integer(node, field);
+    case FieldKind::choice:
+      return read_choice(node, field);
+    case FieldKind::text:
+    case FieldKind::map:
+    case FieldKind::list:
+      break;
+  }
+  return read_text(node, field);
+}
+
+}  // namespace overbend

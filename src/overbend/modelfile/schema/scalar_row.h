@@ -1,0 +1,13 @@
+/// Keys of the model file with a single value.
+#pragma once
+
+#include <string>
+
+#include "modelfile/schema/field.h"
+
+namespace overbend {
+
+/// The row of a key with a single value of any kind, its items in brackets; null where there is none.
+const Field* scalar_row(const std::string& key);
+
+}  // namespace overbend

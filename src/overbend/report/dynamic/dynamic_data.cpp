@@ -1,0 +1,150 @@
+#include "report/dynamic/dynamic_data.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "report/dynamic/fatigue_section.h"
+#include "report/dynamic/history_data.h"
+#include "report/page/places.h"
+#include "report/page/report_style.h"
+#include "report/page/thinning.h"
+#include "report/static/mooring_data.h"
+#include "results/fields/dynamic_values.h"
+
+namespace overbend {
+namespace {
+
+/// The largest of these are never thinned away.
+constexpr std::array<Envelope DynamicResults::*, 4> kExtremes = {&DynamicResults::effective_tension,
+                                                                 &DynamicResults::bending_moment,
+                                                                 &DynamicResults::von_mises, &DynamicResults::strain};
+
+bool is_extreme(const DynamicResults& results, std::size_t i) {
+  return std::ranges::any_of(kExtremes, [&](Envelope DynamicResults::*envelope) {
+    const std::vector<double>& most = (results.*envelope).max;
+    return most[i] >= most[i - 1] && most[i] > most[i + 1];
+  });
+}
+
+/// The lists of the stations shown, from the tensioner on.
+struct EnvelopeData {
+  const ReportStyle& style;
+  const std::set<std::size_t>& shown;
+  Json lists = Json::object();
+
+  void operator()(const ResultField& field, const std::vector<double>& values) {
+    if (field.key(Output::report)) lists[field.name] = list(values, field.from_anchor);
+  }
+  void operator()(const ResultField&, const std::vector<Vec3>&) {}
+  void over_time(const ResultField& field, const Envelope& envelope, const std::vector<double>& statics) {
+    if (!field.key(Output::report)) return;
+    lists[field.name] = {{"min", list(envelope.min, false)},
+                         {"max", list(envelope.max, false)},
+                         {"mean", list(envelope.mean, false)},
+                         {"static", list(statics, false)}};
+  }
+  void spread(const ResultField&, const Envelope&) {}
+
+  Json list(const std::vector<double>& values, bool along) const {
+    Json out = Json::array();
+    for (auto i = shown.rbegin(); i != shown.rend(); ++i) {
+      const double value = values.at(*i);
+      out.push_back(style.number(along ? style.along(value) : value));
+    }
+    return out;
+  }
+};
+
+Json envelope_data(const ReportStyle& style, const DynamicResults& results) {
+  const std::set<std::size_t> shown =
+      thinned(results.station_s.size(), [&](std::size_t i) { return is_extreme(results, i); });
+  EnvelopeData data{style, shown};
+  visit_dynamic_stations(results, data);
+  return data.lists;
+}
+
+Json region_data(const ReportStyle& style, const StaticResults& statics, const DynamicRegion& region) {
+  Json all = Json::object();
+  visit_dynamic_region(region, [&](const ResultField& field, const DynamicExtreme& extreme) {
+    if (!field.key(Output::report)) return;
+    JsonWriter<ReportStyle> one(style);
+    visit_instant_of_extreme(extreme, one);
+    one["value"] = style.number(extreme.over_time.max);
+    one["place"] = place_name(statics, extreme.s);
+    all[field.name] = one.take();
+  });
+  return all;
+}
+
+Json support_data(const ReportStyle& style, const SupportDynamics& box) {
+  std::map<int, Json> rows;  // by index, so that a box without side rollers in a row is no trouble
+  for (const RollerDynamics& r : box.rollers) {
+    JsonWriter<ReportStyle> one(style);
+    visit_dynamic_roller(r, one);
+    rows[r.row][word(r.position)] = one.take();
+  }
+  Json list = Json::array();
+  for (auto& [index, row] : rows) {
+    list.push_back(std::move(row));
+  }
+  return {{"name", box.name}, {"rows", list}};
+}
+
+Json impact_data(const ReportStyle& style, const DynamicResults& results) {
+  std::map<int, const SupportDynamics*> box_of;
+  std::map<int, const RollerDynamics*> roller_of;
+  for (const SupportDynamics& box : results.supports) {
+    for (const RollerDynamics& r : box.rollers) {
+      box_of[r.roller] = &box;
+      roller_of[r.roller] = &r;
+    }
+  }
+  Json all = Json::array();
+  for (const Impact& impact : results.hardest_impacts) {
+    const auto roller = roller_of.find(impact.roller);
+    if (roller == roller_of.end()) {
+      continue;
+    }
+    JsonWriter<ReportStyle> one(style);
+    visit_impact(impact, one);
+    one["box"] = box_of[impact.roller]->name;
+    one["row"] = roller->second->row + 1;
+    one["position"] = word(roller->second->position);
+    all.push_back(one.take());
+  }
+  return all;
+}
+
+}  // namespace
+
+Json dynamic_figure_data(const StaticResults& statics, const DynamicResults& results) {
+  const ReportStyle style(statics);
+  JsonWriter data(style);
+  visit_dynamic_keys(results, data, false);
+  data["envelopes"] = envelope_data(style, results);
+  data["overbend"] = statics.overbend ? region_data(style, statics, results.overbend) : Json(nullptr);
+  data["tower"] = statics.tower ? region_data(style, statics, results.tower) : Json(nullptr);
+  data["sagbend"] = region_data(style, statics, results.sagbend);
+  data["histories"] = history_data(statics, results);
+  data["spectra"] = spectrum_data(results);
+  data["supports"] = style.rows(results.supports, [&](const SupportDynamics& box) { return support_data(style, box); });
+  data["impacts"] = impact_data(style, results);
+  data["fatigue"] = fatigue_figure_data(statics, results);
+  data["vessel"] = results.vessel ? vessel_figure_data(*results.vessel) : Json(nullptr);
+  return data.take();
+}
+
+Json moored_figure_data(const MooringResults& rest, const DynamicResults& results) {
+  const StaticResults statics = of_hull_alone(rest);
+  const ReportStyle style(statics);
+  JsonWriter data(style);
+  visit_dynamic_settings(results, data);
+  data["histories"] = history_data(statics, results);
+  data["spectra"] = spectrum_data(results);
+  data["vessel"] = results.vessel ? vessel_figure_data(*results.vessel) : Json(nullptr);
+  return data.take();
+}
+
+}  // namespace overbend

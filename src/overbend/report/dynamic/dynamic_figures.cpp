@@ -1,0 +1,72 @@
+#include <set>
+
+#include "report/dynamic/history_data.h"
+#include "report/page/figure_list.h"
+#include "report/page/figures.h"
+
+namespace overbend {
+namespace {
+
+const std::vector<Figure>& all_figures() {
+  static const std::vector<Figure> kFigures = {
+      {"envelope_mises",
+       "Dynamic von Mises stress: range over time (band), mean and static value",
+       {"whole", "overbend"}},
+      {"envelope_tension",
+       "Dynamic effective tension: range over time (band), mean and static value",
+       {"whole", "overbend"}},
+      {"envelope_moment",
+       "Dynamic bending moment: range over time (band), mean and static value",
+       {"whole", "overbend"}},
+      {"envelope_strain",
+       "Dynamic longitudinal strain: range over time (band), mean and static value",
+       {"whole", "overbend"}},
+      {"history",
+       "Time history of tension; the build-up is shaded. Values refer to all time steps, curves to the output steps",
+       {"tension"}},
+      {"history",
+       "Time history of the tensioner, operational range shaded; travel is positive when paid out",
+       {"tensioner"}},
+      {"history", "Time history of maximum von Mises stress in overbend and sagbend", {"stress"}},
+      {"history", "Time histories of the largest support reactions", {"reactions"}},
+      {"history",
+       "Time history of the clearance at the stinger tip; below zero the pipe is in contact",
+       {"separation"}},
+      {"history",
+       "Time history of the stinger on its hinges: angle, positive when the tip goes down from where it is drawn, and "
+       "draught of its tanks",
+       {"stinger_angle"}},
+      {"history",
+       "Time history of the hinges of the stinger: forces on the section, moment of the stops",
+       {"stinger_hinge"}},
+      {"history", "Pull-ahead in time: the vessel, the tensioner and the pipe below each other", {"operation"}},
+      {"history", "Time history of wave elevation at the stern shoe", {"wave"}},
+      {"history", "Time histories of vessel motion", {"motions"}, true},
+      {"spectra", "Spectra of motions and loads; the upper scale is the period", {"all"}, true},
+      {"ranges", "Reactions of the rollers over time, per row: range, mean and static value", {"bars"}},
+      {"shares", "Fraction of time in contact, per row; \u00d7 marks a roller that the pipe never touches", {"bars"}},
+      {"impacts", "Hardest impacts between pipe and rollers", {"time", "velocity"}},
+  };
+  return kFigures;
+}
+
+}  // namespace
+
+std::string dynamic_figures_section(const StaticResults& statics, const DynamicResults& results, int& number) {
+  std::set<std::string> groups;
+  for (const Json& history : history_data(statics, results)) {
+    groups.insert(history["group"].get<std::string>());
+  }
+  const bool supported = !results.supports.empty();
+  const auto makes_sense = [&](const Figure& figure, const std::string& part) {
+    const std::string id = figure.id;
+    if (id == "history") return groups.count(part) != 0;
+    if (id == "spectra") return !spectrum_data(results).empty();
+    if (id == "impacts") return !results.hardest_impacts.empty();
+    return part == "whole" || supported;
+  };
+  return figure_section("dynamic-figures", "Figures of the dynamic analysis",
+                        figure_list(all_figures(), makes_sense, number));
+}
+
+}  // namespace overbend

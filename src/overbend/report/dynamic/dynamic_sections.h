@@ -1,0 +1,34 @@
+/// The parts of a dynamic report that are words and tables. Each returns HTML; empty where there is nothing to say.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/description/description.h"
+#include "results/dynamic_results.h"
+
+namespace overbend {
+
+/// For the title block. `description` gives the sea and the vessel motion; without it the header omits them.
+std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticResults& statics,
+                                                                 const DynamicResults& results,
+                                                                 const std::optional<Description>& description,
+                                                                 const std::string& written);
+/// Of them what every run has: sea, motion, seed, duration, integrator.
+void add_run_entries(const DynamicResults& results, const std::optional<Description>& description,
+                     std::vector<std::pair<std::string, std::string>>& entries);
+std::string dynamic_key_results(const StaticResults& statics, const DynamicResults& results);
+/// Statistics of the key quantities and the most probable extremes.
+std::string dynamic_statistics_section(const StaticResults& statics, const DynamicResults& results);
+/// Boxes over time.
+std::string dynamic_supports_section(const DynamicResults& results);
+/// Rollers one by one, for the appendix.
+std::string dynamic_rollers_section(const DynamicResults& results);
+std::string impacts_section(const StaticResults& statics, const DynamicResults& results);
+std::string tensioner_section(const StaticResults& statics, const DynamicResults& results);
+/// Energy balance and the course of the run.
+std::string dynamic_run_section(const DynamicResults& results);
+
+}  // namespace overbend

@@ -1,0 +1,60 @@
+#include "report/page/figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/page/figure_list.h"
+#include "report/page/places.h"
+
+namespace overbend {
+namespace {
+
+const std::vector<Figure>& all_figures() {
+  static const std::vector<Figure> kFigures = {
+      {"configuration", "Configuration in three dimensions", {"whole", "overbend", "stinger"}},
+      {"stinger",
+       "Ramp and stinger seen from port, true to scale; side rollers in outline",
+       {"overbend", "stinger", "tip"}},
+      {"geometry", "Geometry", {"whole", "overbend", "plan"}},
+      {"tension", "Effective tension and wall tension", {"whole", "overbend"}},
+      {"moment", "Bending moment", {"whole", "overbend"}},
+      {"bending", "Bending stress", {"whole", "overbend"}},
+      {"mises", "von Mises stress", {"whole", "overbend"}},
+      {"strain", "Longitudinal strain, maximum over the section", {"whole", "overbend"}},
+      {"reactions", "Reactions of the rollers, per row", {"bars"}},
+      {"separations", "Separation between pipe and rollers, per row", {"bars"}},
+  };
+  return kFigures;
+}
+
+/// Whether the line leaves the vertical plane by more than a plan would show as a stroke.
+bool drifts(const StaticResults& results) {
+  constexpr double kVisible = 0.05;  // [m]
+  return std::any_of(results.stations.begin(), results.stations.end(),
+                     [&](const Station& at) { return std::abs(ship_point(results, at.p_W).y()) > kVisible; });
+}
+
+/// Whether there is something to show in this panel.
+bool makes_sense(const std::string& part, const StaticResults& results) {
+  if (part == "whole") {
+    return true;
+  }
+  if (part == "plan") {
+    return drifts(results);
+  }
+  const bool stinger = std::any_of(results.supports.begin(), results.supports.end(),
+                                   [](const SupportResult& box) { return box.stinger; });
+  return part == "stinger" ? stinger : !results.supports.empty();
+}
+
+}  // namespace
+
+std::string figures_section(const StaticResults& results, const std::string& id, const std::string& heading,
+                            int& number) {
+  return figure_section(
+      id, heading,
+      figure_list(
+          all_figures(), [&](const Figure&, const std::string& part) { return makes_sense(part, results); }, number));
+}
+
+}  // namespace overbend

@@ -1,0 +1,44 @@
+#include "report/page/key_spread.h"
+
+#include "report/page/history_name.h"
+#include "results/fields/dynamic_values.h"
+
+namespace overbend {
+namespace {
+
+/// Keeps the quantity over time of one name.
+struct SpreadNamed {
+  std::string name;
+  std::optional<Spread> found;
+
+  void spread(const ResultField& field, const Spread& spread) {
+    if (field.name == name) found = spread;
+  }
+  template <class Other>
+  void operator()(const ResultField&, const Other&) {}
+};
+
+std::optional<Spread> of_region(const DynamicRegion& region, const std::string& prefix, const std::string& name) {
+  std::optional<Spread> found;
+  visit_dynamic_region(region, [&](const ResultField& field, const DynamicExtreme& extreme) {
+    if (name == prefix + field.name) found = extreme.over_time;
+  });
+  return found;
+}
+
+}  // namespace
+
+std::optional<Spread> key_spread(const DynamicResults& results, const std::string& name) {
+  SpreadNamed of_line{quantity_of(name), {}};
+  visit_dynamic_keys(results, of_line, true);
+  if (of_line.found) return of_line.found;
+  if (const auto spread = of_region(results.overbend, "overbend_", of_line.name)) return spread;
+  if (const auto spread = of_region(results.sagbend, "sagbend_", of_line.name)) return spread;
+  for (const SupportDynamics& box : results.supports) {
+    if (name == "support/" + box.name + "/reaction") return box.reaction;
+    if (name == "support/" + box.name + "/separation") return box.separation;
+  }
+  return std::nullopt;
+}
+
+}  // namespace overbend

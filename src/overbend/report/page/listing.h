@@ -1,0 +1,53 @@
+/// A table of inputs: name, value, unit.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "base/shown_unit.h"
+#include "report/page/html.h"
+
+namespace overbend {
+
+/// Six digits, as inputs are given.
+inline std::string general(double value) {
+  return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value);
+}
+
+/// A value [SI] as it is shown.
+inline std::string general(double value, const ShownUnit& unit) {
+  return general(value * unit.factor);
+}
+inline std::string general(double value, std::string_view si) {
+  return general(value, shown_unit(si));
+}
+
+class Listing {
+ public:
+  explicit Listing(const std::string& caption)
+      : table_(caption, {{"Quantity", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain") {}
+  Listing& add(const std::string& name, double value, const ShownUnit& unit) {
+    return add(name, general(value, unit), std::string(unit.name));
+  }
+  Listing& add(const std::string& name, double value, std::string_view si) {  // value [SI]
+    return add(name, value, shown_unit(si));
+  }
+  Listing& add(const std::string& name, std::initializer_list<double> values, std::string_view si) {
+    std::string all;
+    for (const double value : values) all += (all.empty() ? "" : ", ") + general(value, si);
+    return add(name, all, shown_name(si));
+  }
+  Listing& add(const std::string& name, const std::string& value, const std::string& unit = "") {
+    table_.row({name, value, unit});
+    return *this;
+  }
+  std::string str() const { return table_.str(); }
+
+ private:
+  html::Table table_;
+};
+
+}  // namespace overbend

@@ -1,0 +1,116 @@
+#include "report/stages/hold_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "report/page/places.h"
+#include "report/stages/stage_words.h"
+#include "results/verdict.h"
+
+namespace overbend {
+namespace {
+
+/// How far the head is beyond something, negative before it [m]; none where there is no such thing.
+using Beyond = std::function<std::optional<double>(const StaticResults& lay)>;
+
+struct Passing {
+  Beyond beyond;
+  const char* out;   ///< What happens on the way out.
+  const char* back;  ///< And on the way back.
+};
+
+/// The support that stands farthest astern; null in J-lay.
+const SupportResult* last_box(const StaticResults& lay, bool of_stinger) {
+  const SupportResult* last = nullptr;
+  for (const SupportResult& box : lay.supports) {
+    if ((!of_stinger || box.stinger) && (last == nullptr || box.astern > last->astern)) last = &box;
+  }
+  return last;
+}
+
+std::optional<double> beyond_last_roller(const StaticResults& lay) {
+  const SupportResult* box = last_box(lay, false);
+  if (box == nullptr || box->rows.empty()) return std::nullopt;
+  double last = ship_point(lay, box->rows.front().p_W).x();
+  for (const RowResult& row : box->rows) last = std::max(last, ship_point(lay, row.p_W).x());
+  return lay.head->astern - last;
+}
+
+std::optional<double> beyond_tip(const StaticResults& lay) {
+  const SupportResult* box = last_box(lay, true);
+  if (box == nullptr) return std::nullopt;
+  return lay.head->astern - (ship_point(lay, box->p_W).x() + 0.5 * box->length * std::cos(box->inclination));
+}
+
+const std::array<Passing, 4>& passings() {
+  static const std::array<Passing, 4> kAll = {
+      {{beyond_last_roller, "the head leaves the last roller", "the head comes onto the last roller"},
+       {beyond_tip, "the head leaves the stinger tip", "the head comes to the stinger tip"},
+       {[](const StaticResults& lay) { return std::optional(-lay.head->p_W.z()); }, "the head goes under water",
+        "the head comes out of the water"},
+       {[](const StaticResults& lay) { return std::optional(-lay.head->clearance); }, "the head touches the seabed",
+        "the head lifts off the seabed"}}};
+  return kAll;
+}
+
+std::optional<double> between(const StageResult& before, const StageResult& after, double share) {
+  const std::optional<double> from = progress_of(before.stage), to = progress_of(after.stage);
+  if (!from || !to) return std::nullopt;
+  return *from + share * (*to - *from);
+}
+
+/// What is passed between two stages, in the order in which it is.
+void add_passings(const StageResult& before, const StageResult& after, std::size_t stage,
+                  std::vector<HoldPoint>& points) {
+  std::multimap<double, HoldPoint> passed;  // by the part of the way
+  for (const Passing& passing : passings()) {
+    const std::optional<double> was = passing.beyond(*before.lay), is = passing.beyond(*after.lay);
+    if (!was || !is || (*was > 0.0) == (*is > 0.0)) continue;
+    const double share = *was / (*was - *is);
+    passed.emplace(share, HoldPoint{stage, *is > 0.0 ? passing.out : passing.back, between(before, after, share)});
+  }
+  for (const auto& [share, point] : passed) points.push_back(point);
+}
+
+bool has_head(const StageResult& stage) {
+  return stage.lay && stage.lay->head;
+}
+
+}  // namespace
+
+std::optional<StageUse> largest_use(const StageResult& stage) {
+  if (!stage.lay) return std::nullopt;
+  std::optional<StageUse> use;
+  if (const CheckRow* worst = worst_check(stage.lay->checks)) use = {worst->utilisation, check_words(*worst)};
+  return use;
+}
+
+std::optional<std::size_t> hardest_stage(const OperationResults& results) {
+  std::optional<std::size_t> hardest;
+  double most = 0.0;
+  for (std::size_t i = 0; i < results.stages.size(); ++i) {
+    const std::optional<StageUse> use = largest_use(results.stages[i]);
+    if (!use || (hardest && use->utilisation <= most)) continue;
+    hardest = i;
+    most = use->utilisation;
+  }
+  return hardest;
+}
+
+std::vector<HoldPoint> hold_points(const OperationResults& results) {
+  const std::optional<std::size_t> hardest = hardest_stage(results);
+  std::vector<HoldPoint> points;
+  const StageResult* before = nullptr;
+  for (std::size_t i = 0; i < results.stages.size(); ++i) {
+    const StageResult& stage = results.stages[i];
+    if (before != nullptr && has_head(stage)) add_passings(*before, stage, i, points);
+    if (hardest == i) points.push_back({i, "highest utilisation of the operation", {}});
+    if (has_head(stage)) before = &stage;
+  }
+  return points;
+}
+
+}  // namespace overbend

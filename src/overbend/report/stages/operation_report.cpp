@@ -1,0 +1,120 @@
+#include "report/stages/operation_report.h"
+#include "report/page/calculation_sheet.h"
+
+#include <algorithm>
+
+#include "report/page/front_of.h"
+#include "report/page/html.h"
+#include "report/page/listing.h"
+#include "report/page/page.h"
+#include "report/page/quantity.h"
+#include "report/page/sections.h"
+#include "report/stages/operation_verdict.h"
+#include "report/stages/procedure_section.h"
+#include "report/stages/stage_words.h"
+#include "report/stages/stages_data.h"
+#include "report/stages/stages_section.h"
+#include "report/static/passage_section.h"
+#include "results/findings.h"
+
+namespace overbend {
+namespace {
+
+const StaticResults* first_lay(const OperationResults& results) {
+  const auto at = std::find_if(results.stages.begin(), results.stages.end(),
+                               [](const StageResult& stage) { return stage.lay.has_value(); });
+  return at == results.stages.end() ? nullptr : &*at->lay;
+}
+
+Assumptions all_assumptions(const OperationResults& results) {
+  Assumptions all = results.assumptions;
+  for (const StageResult& stage : results.stages) {
+    if (stage.lay) all = merge(std::move(all), stage.lay->assumptions);
+  }
+  return all;
+}
+
+void add_head(const HeadDescription& head, Listing& table) {
+  table.add("Head, length", head.length, "m")
+      .add("Head, weight in air", head.weight_in_air, "N")
+      .add("Head, submerged weight", head.weight_submerged, "N");
+}
+
+void add_cable(const CableDescription& cable, Listing& table) {
+  table.add("Cable, diameter", cable.diameter, section_length())
+      .add("Cable, weight in air", cable.weight_in_air, line_weight())
+      .add("Cable, submerged weight", cable.weight_submerged, line_weight())
+      .add("Cable, axial stiffness", cable.axial_stiffness, "N");
+  if (cable.breaking_load) table.add("Cable, breaking load", *cable.breaking_load, "N");
+  if (cable.length) table.add("Cable, length", *cable.length, "m");
+}
+
+/// Head, cable, winch and anchor as the model gives them.
+std::string gear_section(const std::optional<Description>& description) {
+  if (!description) return "";
+  const LayOperationDescription& lay = description->operation.lay;
+  if (!lay.head && !lay.cable) return "";
+  Listing table("");
+  if (lay.head) add_head(*lay.head, table);
+  if (lay.cable) add_cable(*lay.cable, table);
+  if (lay.winch) table.add("Winch, x", lay.winch->x, "m").add("Winch, z", lay.winch->z, "m");
+  if (lay.anchor) table.add("Anchor, depth", lay.anchor->depth, "m");
+  return html::section("gear", "Head and cable", table.str());
+}
+
+std::string passage_part(const OperationResults& results) {
+  const std::optional<PassageResults> passage = passage_of(results);
+  return passage ? passage_section(*passage) : "";
+}
+
+FrontPage front_of_operation(const OperationResults& results, const std::optional<Description>& description,
+                             const StaticResults* lay) {
+  FrontPage front =
+      front_of(operation_title(results.type) + " of a pipeline, static analysis", results.title, description, {});
+  front.findings = operation_findings(results);
+  front.reach = "Static states of all stages: the effect of waves needs a dynamic analysis of the stage.";
+  if (lay != nullptr) front.entries = subject_entries(*lay);
+  front.entries.emplace_back("Stages", std::to_string(results.stages.size()));
+  front.entries.emplace_back("Program", "Overbend " + results.version);
+  front.entries.emplace_back("Written", written_now());
+  return front;
+}
+
+/// Rows of all stages in one table, each with the name of its stage.
+CheckTable checks_of_stages(const OperationResults& results) {
+  CheckTable all;
+  for (std::size_t i = 0; i < results.stages.size(); ++i) {
+    if (!results.stages[i].lay) continue;
+    for (CheckRow row : results.stages[i].lay->checks.rows) {
+      row.name += ", stage " + stage_title(results, i);
+      all.rows.push_back(std::move(row));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string operation_report_html(const OperationResults& results, const std::string& model_text) {
+  const std::optional<Description> description = description_of(model_text);
+  const StaticResults* lay = first_lay(results);
+  int figure = 0;
+  const std::string rest = procedure_section(results, description) + stages_section(results, figure) +
+                           passage_part(results) + stage_checks_section(results) + gear_section(description) +
+                           (lay != nullptr ? inputs_section(*lay, description, nullptr) : "") +
+                           assumptions_section(all_assumptions(results)) +
+                           calculation_sheet_section(checks_of_stages(results)) + model_text_section(model_text);
+  const FrontPage front = front_of_operation(results, description, lay);
+  return operation_page(
+      results.title + " - " + operation_title(results.type),
+      front_page(front, verdict_with_stage(results), operation_bars(results),
+                 std::string("The mark on the bar is the full capacity. ") + kBasisOfChecks + " ", rest),
+      stages_data(results, description));
+}
+
+void write_operation_report(const OperationResults& results, const std::string& model_text,
+                            const std::filesystem::path& file) {
+  write_page(operation_report_html(results, model_text), file);
+}
+
+}  // namespace overbend

@@ -1,0 +1,19 @@
+/// Verdict over all stages of an operation on the line.
+#pragma once
+
+#include <vector>
+
+#include "base/finding.h"
+#include "report/page/front_page.h"
+#include "results/operation_results.h"
+#include "results/verdict.h"
+
+namespace overbend {
+
+/// The verdict of all stages; says at which stage the largest utilisation is.
+Verdict verdict_with_stage(const OperationResults& results);
+
+/// The governing check of each region over all stages, each with its stage.
+std::vector<Utilisation> operation_bars(const OperationResults& results);
+
+}  // namespace overbend

@@ -1,0 +1,214 @@
+#include "report/stages/procedure_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "checks/mooring_rows.h"
+#include "report/page/html.h"
+#include "report/page/places.h"
+#include "report/page/quantity.h"
+#include "report/stages/hold_points.h"
+#include "report/stages/stage_columns.h"
+#include "report/stages/stage_words.h"
+#include "report/stages/stages_section.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+std::optional<double> tension_of(const StageResult& stage) {
+  if (stage.stage.tension) return stage.stage.tension;
+  return stage.lay ? std::optional(stage.lay->top_tension) : std::nullopt;
+}
+
+/// What limits the tension from above: the cable's breaking load over its safety factor, used to what the operation
+/// allows.
+std::optional<double> cable_limit(const std::optional<Description>& description) {
+  if (!description) return std::nullopt;
+  const LayOperationDescription& lay = description->operation.lay;
+  if (!lay.cable || !lay.cable->breaking_load) return std::nullopt;
+  const double factor = cable_safety_factor(description->checks.safety_factors).value;
+  return *lay.cable->breaking_load / factor * (lay.program ? lay.program->limits.utilisation : 1.0);
+}
+
+std::string hold_words(const HoldPoint& point, const std::string& progress) {
+  std::string text = point.what;
+  if (point.out) text += fmt::format(" (at {} {})", progress, shown(*point.out, "m", 1));
+  return text;
+}
+
+/// Why to pause before the step, or why it cannot be done.
+std::string remarks(const OperationResults& results, const std::vector<HoldPoint>& points, std::size_t stage) {
+  if (results.stages[stage].failure) return "CANNOT BE as planned, see below";
+  std::string progress = progress_name(results.type);
+  progress[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(progress[0])));
+  std::string text;
+  for (const HoldPoint& point : points) {
+    if (point.stage == stage) text += (text.empty() ? "HOLD before: " : "; ") + hold_words(point, progress);
+  }
+  const std::string& governing = results.stages[stage].governing;
+  if (!governing.empty()) text += (text.empty() ? "Tension set by " : "; tension set by ") + governing;
+  return text;
+}
+
+std::string step_table(const OperationResults& results, const std::optional<Description>& description) {
+  const std::vector<HoldPoint> points = hold_points(results);
+  const std::optional<double> most = cable_limit(description);
+  std::vector<StageColumn> columns;
+  const auto add = [&](const char* group, html::Head head, std::function<std::string(std::size_t)> text) {
+    columns.push_back({group, std::move(head), std::move(text)});
+  };
+  const auto with_head = [&](double (*value)(const HeadResult&)) {
+    return of_lay(results,
+                  [value](const StaticResults& lay) { return lay.head ? shown_number(value(*lay.head), "m", 1) : ""; });
+  };
+  add("", {"Step", "", true}, [&](std::size_t i) { return stage_title(results, i); });
+  add("", {progress_name(results.type), shown_name("m")}, [&](std::size_t i) {
+    const std::optional<double> out = progress_of(results.stages[i].stage);
+    return out ? shown_number(*out, "m", 1) : "";
+  });
+  add("Tension", {"hold", shown_name("N")}, [&](std::size_t i) {
+    const std::optional<double> tension = tension_of(results.stages[i]);
+    return tension ? shown_number(*tension, "N", 1) : "";
+  });
+  add("Tension", {"not below", shown_name("N")}, [&](std::size_t i) {
+    const StageResult& stage = results.stages[i];
+    if (stage.failure && stage.failure->least_tension) return shown_number(*stage.failure->least_tension, "N", 1);
+    return stage.governing.empty() || !tension_of(stage) ? std::string() : shown_number(*tension_of(stage), "N", 1);
+  });
+  add("Tension", {"not above", shown_name("N")}, [&](std::size_t i) {
+    const std::optional<StaticResults>& lay = results.stages[i].lay;
+    return most && lay && lay->cable ? shown_number(*most, "N", 1) : std::string();
+  });
+  add("", {"Barge ahead", shown_name("m")},
+      [&](std::size_t i) { return results.stages[i].lay ? shown_number(results.stages[i].barge_ahead, "m", 1) : ""; });
+  add("Head", {"depth", shown_name("m")}, with_head([](const HeadResult& head) { return -head.p_W.z(); }));
+  add("Head", {"astern", shown_name("m")}, with_head([](const HeadResult& head) { return head.astern; }));
+  add("Head", {"over bed", shown_name("m")}, with_head([](const HeadResult& head) { return head.clearance; }));
+  add("Watch", {"tip clearance", shown_name("m")}, of_lay(results, [](const StaticResults& lay) {
+        return lay.stinger_tip_clearance ? shown_number(*lay.stinger_tip_clearance, "m", 2) : "";
+      }));
+  add("Watch", {"roller load", shown_name("N")}, of_lay(results, [](const StaticResults& lay) {
+        return lay.largest_reaction_support.empty() ? "" : shown_number(lay.largest_reaction, "N", 1);
+      }));
+  add("Watch", {"at", "", true},
+      of_lay(results, [](const StaticResults& lay) { return lay.largest_reaction_support; }));
+  add("", {"Utilisation", ""}, [&](std::size_t i) {
+    const std::optional<StageUse> use = largest_use(results.stages[i]);
+    return use ? fixed(use->utilisation, 2) : "";
+  });
+  add("", {"Hold points and remarks", "", true}, [&](std::size_t i) { return remarks(results, points, i); });
+  return stage_rows_table("", columns, all_stages(results), "dense procedure",
+                          [&](std::size_t i) { return stage_css(results.stages[i]); });
+}
+
+/// "3", "3 and 4", "3 to 7, 9".
+std::string numbers(const std::vector<std::size_t>& stages) {
+  std::string text;
+  for (std::size_t i = 0; i < stages.size();) {
+    std::size_t end = i;
+    while (end + 1 < stages.size() && stages[end + 1] == stages[end] + 1) ++end;
+    text += (text.empty() ? "" : ", ") + std::to_string(stages[i] + 1);
+    if (end > i) text += (end == i + 1 ? " and " : " to ") + std::to_string(stages[end] + 1);
+    i = end + 1;
+  }
+  return text;
+}
+
+/// Steps that the analysis speaks against.
+void add_steps_to_avoid(const OperationResults& results, std::vector<std::string>& reasons) {
+  std::vector<std::size_t> exceeded;
+  for (const std::size_t i : all_stages(results)) {
+    if (results.stages[i].failure) reasons.push_back(failure_words(results, i) + " Stop at the step before.");
+    const std::optional<StageUse> use = largest_use(results.stages[i]);
+    if (use && use->utilisation > 1.0) exceeded.push_back(i);
+  }
+  if (!exceeded.empty()) {
+    reasons.push_back(
+        fmt::format("Step{} {}: a check is exceeded even at the tension given. Not to be done as planned.",
+                    exceeded.size() > 1 ? "s" : "", numbers(exceeded)));
+  }
+}
+
+/// What the operation may not do, as the model gives it.
+void add_limits(const StageLimits& limits, std::vector<std::string>& reasons) {
+  if (limits.tip_clearance) {
+    reasons.push_back(fmt::format("Clearance at the stinger tip below {}.", shown(*limits.tip_clearance, "m", 2)));
+  }
+  if (limits.roller_load)
+    reasons.push_back(fmt::format("Load of a roller above {}.", shown(*limits.roller_load, "N", 1)));
+  if (limits.sagbend_strain) {
+    reasons.push_back(fmt::format("Tension below \"not below\": the strain of the sagbend exceeds {} %.",
+                                  strains().text(*limits.sagbend_strain, 3)));
+  }
+  if (limits.sagbend_stress) {
+    reasons.push_back(fmt::format("Tension below \"not below\": the stress of the sagbend exceeds {}.",
+                                  stresses().text(*limits.sagbend_stress, 0)));
+  }
+}
+
+std::string abort_list(const OperationResults& results, const std::optional<Description>& description) {
+  std::vector<std::string> reasons;
+  add_steps_to_avoid(results, reasons);
+  if (const std::optional<double> most = cable_limit(description)) {
+    const SafetyFactor factor = cable_safety_factor(description->checks.safety_factors);
+    reasons.push_back(fmt::format(
+        "Tension of the cable above {}: its breaking load of {} over a safety factor of {:.3g} ({}){}.",
+        shown(*most, "N", 1), shown(*description->operation.lay.cable->breaking_load, "N", 1), factor.value,
+        factor.source, description->operation.lay.program ? ", times the utilisation that the model allows" : ""));
+  }
+  if (description && description->operation.lay.program) {
+    add_limits(description->operation.lay.program->limits, reasons);
+  }
+  reasons.emplace_back("Tension, length out or place of the barge cannot be brought to the values of the step.");
+  return "<h3>Stop and hold if</h3>\n" + html::list(reasons);
+}
+
+/// Boxes to be filled by hand where the model says nothing.
+std::string signatures(const std::optional<Description>& description) {
+  const ReportDescription control = description ? description->report : ReportDescription{};
+  const std::array<std::pair<const char*, std::string>, 6> cells = {{{"Document", control.document},
+                                                                     {"Revision", control.revision},
+                                                                     {"Prepared", control.prepared},
+                                                                     {"Checked", control.checked},
+                                                                     {"Accepted on board", ""},
+                                                                     {"Date and time", ""}}};
+  std::string out;
+  for (const auto& [name, value] : cells) {
+    out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", name, value.empty() ? "&nbsp;" : html::escape(value));
+  }
+  return "<dl class=\"control\">" + out + "</dl>\n";
+}
+
+const StaticResults* first_lay(const OperationResults& results) {
+  for (const StageResult& stage : results.stages) {
+    if (stage.lay) return &*stage.lay;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string procedure_section(const OperationResults& results, const std::optional<Description>& description) {
+  const StaticResults* lay = first_lay(results);
+  if (lay == nullptr) return "";
+  const std::string subject = fmt::format(
+      "{}: {}. {}, water depth {}, pipe {} over the coating.", operation_title(results.type), results.title,
+      lay->vessel_name, shown(lay->water_depth, "m", 1), shown(lay->pipe_outer_diameter, section_length(), 0));
+  return html::section(
+      "procedure", "Procedure sheet",
+      "<p>" + html::escape(subject) + "</p>\n" + signatures(description) + step_table(results, description) +
+          "<p class=\"small\">Values at the end of each step, at rest: motions of the vessel add to them. Astern: of "
+          "the stern shoe; barge ahead: from its place at step 1. Not below: least tension found for the limits; not "
+          "above: breaking load of the cable over its safety factor, times the utilisation that the model allows. Hold "
+          "before: pause, compare "
+          "length, tension and place with the sheet, then "
+          "go on.</p>\n" +
+          abort_list(results, description));
+}
+
+}  // namespace overbend

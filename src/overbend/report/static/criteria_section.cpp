@@ -1,0 +1,49 @@
+#include "report/static/criteria_section.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "report/page/html.h"
+
+namespace overbend {
+namespace {
+
+/// One row for each check, whatever the regions that it is made in.
+std::vector<CheckRow> distinct_checks(const CheckTable& checks) {
+  std::vector<CheckRow> distinct;
+  for (const CheckRow& row : checks.rows) {
+    const bool known = std::ranges::any_of(
+        distinct, [&](const CheckRow& other) { return other.id == row.id && other.name == row.name; });
+    if (!known) distinct.push_back(row);
+  }
+  std::ranges::stable_sort(distinct, [](const CheckRow& a, const CheckRow& b) { return a.governing && !b.governing; });
+  return distinct;
+}
+
+std::string rule_on_findings(const std::optional<Description>& description) {
+  std::string text =
+      "Accepted: the utilisation of every criterion that decides is at most 1, and no finding is serious.";
+  if (description && !description->checks.accepted_findings.empty()) {
+    text += fmt::format(" Serious findings accepted by the project: {}.",
+                        fmt::join(description->checks.accepted_findings, ", "));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string criteria_section(const CheckTable& checks, const std::optional<Description>& description) {
+  if (checks.rows.empty()) return "";
+  html::Table table(
+      "", {{"Criterion", "", true}, {"Code or source", "", true}, {"Clause", "", true}, {"Use", "", true}}, "plain");
+  for (const CheckRow& row : distinct_checks(checks)) {
+    table.row({row.name, row.code, row.clause.empty() ? "-" : row.clause, row.governing ? "decides" : "information"},
+              row.governing ? "" : "soft");
+  }
+  return html::section("criteria", "Acceptance criteria",
+                       "<p>" + html::escape(rule_on_findings(description)) + "</p>\n" + table.str());
+}
+
+}  // namespace overbend

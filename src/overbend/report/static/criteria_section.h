@@ -1,0 +1,16 @@
+/// What the verdict asks for: the acceptance criteria of the analysis.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "model/description/description.h"
+#include "results/check_results.h"
+
+namespace overbend {
+
+/// Every criterion once, those that decide first; then the rule on findings with those that the project accepts. Empty
+/// without checks.
+std::string criteria_section(const CheckTable& checks, const std::optional<Description>& description);
+
+}  // namespace overbend

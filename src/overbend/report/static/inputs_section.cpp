@@ -1,0 +1,228 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "base/shown_unit.h"
+#include "model/vessel/station.h"
+#include "report/page/listing.h"
+#include "report/page/quantity.h"
+#include "report/page/sea_words.h"
+#include "report/page/sections.h"
+#include "report/static/mooring_inputs.h"
+
+namespace overbend {
+namespace {
+
+std::string pipe_table(const SectionDescription& pipe, const std::string& name) {
+  Listing list("Pipe: " + name);
+  list.add("Steel outside diameter", pipe.steel.outside_diameter, section_length())
+      .add("Wall thickness", pipe.steel.wall_thickness, section_length())
+      .add("Young's modulus", pipe.steel.youngs_modulus, "Pa")
+      .add("Poisson's ratio", pipe.steel.poissons_ratio, "")
+      .add("Yield stress", pipe.steel.yield_stress, "Pa")
+      .add("Steel weight density", pipe.steel.weight_density, "N/m3");
+  for (const CoatingDescription& coating : pipe.coatings) {
+    list.add("Coating: " + coating.name,
+             fmt::format("{} {} at {}", general(coating.thickness, section_length()), section_length().name,
+                         general(coating.weight_density, "N/m3")),
+             shown_name("N/m3"));
+  }
+  if (pipe.joint) {
+    list.add("Pipe joint, field joint", {pipe.joint->length, pipe.joint->field_joint}, "m")
+        .add("Field joint infill", pipe.joint->infill_weight_density, "N/m3");
+  }
+  list.add("Drag, normal and axial",
+           general(pipe.hydrodynamics.drag_normal) + ", " + general(pipe.hydrodynamics.drag_axial));
+  if (pipe.contents_weight_density != 0.0 || pipe.internal_pressure != 0.0) {
+    list.add("Contents", pipe.contents_weight_density, "N/m3")
+        .add("Internal pressure at the water level", pipe.internal_pressure, "Pa");
+  }
+  return list.str();
+}
+
+std::string environment_table(const EnvironmentDescription& sea) {
+  Listing list("Environment");
+  list.add("Water depth at the stern shoe", sea.water_depth, "m")
+      .add("Water weight density", sea.water_weight_density, "N/m3")
+      .add("Seabed stiffness", sea.seabed.stiffness, "N/m2")
+      .add("Seabed friction, axial and lateral",
+           general(sea.seabed.friction_axial) + ", " + general(sea.seabed.friction_lateral));
+  if (sea.seabed.slope != 0.0) {
+    list.add("Seabed slope",
+             shown_number(sea.seabed.slope, "rad", 2) + " deg, falling towards " +
+                 shown_number(sea.seabed.slope_towards, "rad", 1),
+             shown_name("rad"));
+  }
+  for (const ProfilePoint& at : sea.seabed.profile) {
+    list.add("Depth of the seabed " + general(at.x, "m") + " " + shown_name("m") + " astern of the stern shoe",
+             at.depth, "m");
+  }
+  if (!sea.seabed.bathymetry_file.empty()) list.add("Depths of the seabed", sea.seabed.bathymetry_file);
+  for (const CurrentPoint& at : sea.current) {
+    list.add("Current at " + general(at.depth, "m") + " " + shown_name("m") + ", towards " +
+                 general(at.towards, "rad") + " deg",
+             at.speed, "m/s");
+  }
+  return list.str();
+}
+
+/// The vessel by itself.
+Listing& add_vessel(Listing& list, const VesselDescription& vessel) {
+  return list.add("Vessel", vessel.name)
+      .add("Length, beam, depth", {vessel.length, vessel.beam, vessel.depth}, "m")
+      .add("Draught", vessel.draught, "m")
+      .add("Heading", vessel.heading, "rad")
+      .add("Trim, heel", {vessel.trim, vessel.heel}, "rad");
+}
+
+/// Radius of a structure and, of boxes told as a row, how many there are and how far apart.
+void add_arc(Listing& list, const std::string& name, const std::optional<double>& radius,
+             const std::optional<BoxRowDescription>& row) {
+  if (radius) {
+    list.add(name + " radius", *radius, "m");
+  }
+  if (row) {
+    list.add(name + " boxes, spacing along the arc", std::to_string(row->count) + ", " + general(row->spacing, "m"),
+             shown_name("m"));
+  }
+}
+
+std::string vessel_table(const Description& model) {
+  const VesselDescription& vessel = model.vessel;
+  Listing list("Vessel and tensioner");
+  add_vessel(list, vessel)
+      .add("Stern shoe, x from midship and z", {vessel.stern_shoe_x, vessel.stern_shoe_z}, "m")
+      .add("Tensioner X, Z from the stern shoe", {model.tensioner.x, model.tensioner.z}, "m")
+      .add("Tensioner incline", model.tensioner.incline, "rad")
+      .add("Pipe in the tensioner", model.tensioner.guide == Guide::clamped ? "direction fixed" : "pinned");
+  if (model.tensioner.tension) {
+    list.add("Set tension", *model.tensioner.tension, "N");
+  }
+  add_arc(list, "Ramp", model.supports.ramp_radius, model.supports.ramp_row);
+  add_arc(list, "Stinger", model.supports.stinger_radius, model.supports.stinger_row);
+  if (!model.supports.setting.empty()) {
+    list.add("Stinger setting", model.supports.setting);
+  }
+  return list.str();
+}
+
+std::string roller_kinds_table(const std::vector<RollerKindDescription>& kinds) {
+  if (kinds.empty()) {
+    return "";
+  }
+  Listing list("Rollers");
+  for (const RollerKindDescription& kind : kinds) {
+    list.add(kind.name + ": bottom radius, face", {kind.bottom.radius, kind.bottom.face}, "m");
+    if (kind.sides) {
+      list.add(kind.name + ": side radius, face", {kind.sides->radius, kind.sides->face}, "m")
+          .add(kind.name + ": side angle, clearance",
+               general(kind.sides->angle, "rad") + " deg, " + general(kind.sides->clearance, "m"), shown_name("m"));
+    }
+    if (kind.stiffness) {
+      list.add(kind.name + ": stiffness", *kind.stiffness, "N/m");
+    }
+  }
+  return list.str();
+}
+
+/// Numbers of the sea; its type is in the report's header.
+void add_waves(Listing& list, const WavesDescription& waves, std::uint64_t seed) {
+  if (waves.type == WaveType::none) {
+    list.add("Waves", "none");
+    return;
+  }
+  if (waves.type == WaveType::airy || waves.type == WaveType::stokes5) {
+    list.add("Wave height", waves.height, "m").add("Wave period", waves.period, "s");
+  } else {
+    if (waves.hs > 0.0) list.add("Significant wave height", waves.hs, "m");
+    if (waves.type != WaveType::user) list.add("Peak period", waves.tp, "s");
+    list.add("Wave components, seed", fmt::format("{}, {}", waves.components, seed));
+  }
+  list.add("Waves from", waves.from, "rad");
+}
+
+std::string dynamics_table(const Description& model, const DynamicResults& results) {
+  const HydrodynamicsDescription& water = model.pipe.section.hydrodynamics;
+  Listing list("Sea, motion and time");
+  add_waves(list, model.environment.waves, results.seed);
+  list.add("Vessel motion", motion_words(model.vessel))
+      .add("Build-up, duration", {results.build_up, results.duration}, "s")
+      .add("Added mass, normal and axial", general(water.added_mass_normal) + ", " + general(water.added_mass_axial));
+  if (model.dynamics) {
+    if (model.dynamics->step) list.add("Fixed step", *model.dynamics->step, "s");
+    if (model.dynamics->max_step) list.add("Maximum step", *model.dynamics->max_step, "s");
+  }
+  const TensionerDescription& tensioner = model.tensioner;
+  if (tensioner.range_low && tensioner.range_high) {
+    list.add("Operational range of tension",
+             general(*tensioner.range_low, "N") + " to " + general(*tensioner.range_high, "N"), shown_name("N"));
+  }
+  return list.str();
+}
+
+std::string derived_table(const StaticResults& results) {
+  html::Table table("Derived section properties",
+                    {{"Section", "", true},
+                     {"EA", shown_name("N")},
+                     {"EI", shown_name("N m2")},
+                     {"Weight in air", shown_name("N/m")},
+                     {"Submerged", shown_name("N/m")},
+                     {"Steel area", std::string(steel_area().name)},
+                     {"Second moment", std::string(steel_inertia().name)},
+                     {"Outer diameter", std::string(section_length().name)},
+                     {"Mass", shown_name("kg/m")}},
+                    "plain");
+  for (const DerivedSection& s : results.sections) {
+    table.row({s.name, shown_number(s.EA, "N", 0), shown_number(s.EI, "N m2", 1),
+               shown_number(s.weight_in_air, "N/m", 6), shown_number(s.weight_submerged, "N/m", 6),
+               shown_number(s.steel_area, steel_area(), 1), shown_number(s.second_moment, steel_inertia(), 1),
+               shown_number(s.outer_diameter, section_length(), 1), shown_number(s.mass, "kg/m", 2)});
+  }
+  return table.str();
+}
+
+}  // namespace
+
+std::string inputs_section(const StaticResults& results, const std::optional<Description>& description,
+                           const DynamicResults* dynamic) {
+  std::string body;
+  if (description) {
+    body += "<div class=\"columns\">\n" + pipe_table(description->pipe.section, "the line");
+    for (const SegmentDescription& segment : description->pipe.segments) {
+      body += pipe_table(segment.section, segment.name + ", " + general(segment.length, "m") + " " + shown_name("m"));
+    }
+    body += vessel_table(*description) + environment_table(description->environment) +
+            roller_kinds_table(description->rollers) + hull_inputs(*description) +
+            (dynamic != nullptr ? dynamics_table(*description, *dynamic) : "") + "</div>\n" +
+            mooring_inputs(*description);
+  }
+  body += derived_table(results);
+  return html::section("inputs", "Inputs", body);
+}
+
+std::string inputs_section(const Description& description) {
+  std::string vessel;
+  if (has_station(description)) {
+    Listing list("Vessel");
+    vessel = add_vessel(list, description.vessel).str() + hull_inputs(description);
+  }
+  return html::section("inputs", "Inputs",
+                       "<div class=\"columns\">\n" + vessel + environment_table(description.environment) + "</div>\n" +
+                           mooring_inputs(description) + line_inputs(description));
+}
+
+std::string assumptions_section(const Assumptions& assumptions) {
+  constexpr std::array<std::pair<AssumptionRank, const char*>, 3> kHeads = {
+      {{AssumptionRank::governing, "Governing assumptions"},
+       {AssumptionRank::setting, "Settings of the model file"},
+       {AssumptionRank::other, "Other assumptions"}}};
+  std::string body;
+  for (const auto& [rank, head] : kHeads) {
+    const std::vector<std::string> list = texts(assumptions, rank);
+    if (!list.empty()) body += "<h3>" + std::string(head) + "</h3>\n" + html::list(list);
+  }
+  return body.empty() ? "" : html::section("assumptions", "Assumptions", body);
+}
+
+}  // namespace overbend

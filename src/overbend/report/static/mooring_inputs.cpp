@@ -1,0 +1,182 @@
+#include "report/static/mooring_inputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "base/shown_unit.h"
+#include "report/page/listing.h"
+#include "report/page/quantity.h"
+
+namespace overbend {
+namespace {
+
+std::string force(const std::optional<double>& value) {
+  return value ? general(*value, "N") : "-";
+}
+
+std::string triple(const Vec3& v) {
+  return general(v.x(), "m") + ", " + general(v.y(), "m") + ", " + general(v.z(), "m");
+}
+
+std::string damping_words(const ModeDampingDescription& damping) {
+  std::string words;
+  const auto add = [&](const std::string& text) { words += (words.empty() ? "" : ", ") + text; };
+  if (damping.ratio) add(general(100.0 * *damping.ratio) + " % of critical");
+  const bool turns = damping.mode == "roll" || damping.mode == "pitch" || damping.mode == "yaw";
+  const double force = shown_unit("N").factor,
+               length = shown_unit("m").factor;  // of a moment by an angle, else by a length
+  if (damping.linear) add("linear " + general(*damping.linear * force * (turns ? length : 1.0 / length)));
+  if (damping.quadratic)
+    add("quadratic " + general(*damping.quadratic * force * (turns ? length : std::pow(length, -2))));
+  return words;
+}
+
+std::string current_words(const HullCurrentDescription& current) {
+  switch (current.form) {
+    case HullCurrentForm::none:
+      return "none";
+    case HullCurrentForm::table:
+      return "table " + std::filesystem::path(current.table_file).filename().string();
+    case HullCurrentForm::ufc:
+      return "coefficients of UFC 4-159-03";
+    case HullCurrentForm::strips:
+      break;
+  }
+  return "strips, " + general(current.transverse) + " across, " + general(current.longitudinal) + " along";
+}
+
+const char* drift_words(WaveDrift drift) {
+  return drift == WaveDrift::none ? "none" : drift == WaveDrift::mean ? "mean only" : "mean and slow, by Newman";
+}
+
+using Types = std::vector<const LineTypeDescription*>;
+
+void add_types(const std::vector<LineSegmentDescription>& segments, Types& types) {
+  for (const LineSegmentDescription& segment : segments) {
+    const auto same = [&](const LineTypeDescription* type) {
+      return type->name == segment.type.name && type->diameter == segment.type.diameter &&
+             type->axial_stiffness == segment.type.axial_stiffness;
+    };
+    if (std::none_of(types.begin(), types.end(), same)) types.push_back(&segment.type);
+  }
+}
+
+std::string type_table(const Types& types) {
+  html::Table table("Types of line",
+                    {{"Type", "", true},
+                     {"Diameter", clearances().unit},
+                     {"In air", std::string(line_weight().name)},
+                     {"Submerged", std::string(line_weight().name)},
+                     {"EA", std::string(rope_stiffness().name)},
+                     {"EI", shown_name("N m2")},
+                     {"Breaking load", shown_name("N")},
+                     {"Drag, normal and axial", ""},
+                     {"Friction", ""},
+                     {"Made from", "", true}},
+                    "dense summary");
+  for (const LineTypeDescription* type : types) {
+    table.row({type->name.empty() ? "in place" : type->name, general(type->diameter, section_length()),
+               shown_number(type->weight_in_air, line_weight(), 1),
+               shown_number(type->weight_submerged, line_weight(), 1),
+               shown_number(type->axial_stiffness, rope_stiffness(), 1), general(type->bending_stiffness, "N m2"),
+               force(type->breaking_load), general(type->drag_normal) + ", " + general(type->drag_axial),
+               type->friction ? general(*type->friction) : "-", type->made_from});
+  }
+  return table.str();
+}
+
+std::string winch_table(const std::vector<WinchDescription>& winches) {
+  if (winches.empty()) return "";
+  html::Table table("Winches",
+                    {{"Winch", "", true},
+                     {"Speed", shown_name("m/s")},
+                     {"Haul", shown_name("N")},
+                     {"Stall", shown_name("N")},
+                     {"Brake", shown_name("N")},
+                     {"Drum", shown_name("m")}},
+                    "plain");
+  for (const WinchDescription& winch : winches) {
+    table.row({winch.name, general(winch.speed, "m/s"), force(winch.haul), force(winch.stall), force(winch.brake),
+               winch.drum ? general(*winch.drum, "m") : "-"});
+  }
+  return table.str();
+}
+
+std::string fairlead_table(const MooringsDescription& moorings) {
+  html::Table table("Fairleads and anchors as given",
+                    {{"Line", "", true},
+                     {"Fairlead x, y, z", shown_name("m")},
+                     {"Anchor", "", true},
+                     {"Wished tension", shown_name("N")},
+                     {"Length", shown_name("m")},
+                     {"Winch", "", true},
+                     {"Holding power", shown_name("N")}},
+                    "dense summary");
+  for (const MooringLineDescription& line : moorings.lines) {
+    std::string anchor = line.anchor ? fmt::format("x {}, y {} {}", general((*line.anchor)[0], "m"),
+                                                   general((*line.anchor)[1], "m"), shown_name("m"))
+                                     : std::string();
+    if (line.bearing) anchor = "bearing " + shown_number(*line.bearing, "rad", 1) + " deg";
+    if (line.azimuth) anchor = "azimuth " + shown_number(*line.azimuth, "rad", 1) + " deg";
+    if (line.anchor_distance) anchor += ", " + general(*line.anchor_distance, "m") + " " + shown_name("m");
+    double given = 0.0;
+    for (const LineSegmentDescription& segment : line.segments) given += segment.length.value_or(0.0);
+    table.row({line.name, triple(line.fairlead), anchor, force(line.tension),
+               given > 0.0 ? shown_number(given, "m", 2) : "-", line.winch, force(line.anchor_holding.holding)});
+  }
+  return table.str() +
+         "<p class=\"small\">Fairleads in the vessel's frame. Bearings from the bow and azimuths from "
+         "north, both clockwise. A length of - follows from the tension.</p>\n";
+}
+
+}  // namespace
+
+std::string hull_inputs(const Description& model) {
+  const VesselDescription& vessel = model.vessel;
+  if (vessel.hydrostatics) {
+    Listing list("Floating hull");
+    list.add("Restoring in heave", vessel.hydrostatics->heave, "N/m")
+        .add("Restoring in roll, pitch", {vessel.hydrostatics->roll, vessel.hydrostatics->pitch}, "N m/rad");
+    if (!vessel.coupled) return list.str();
+  }
+  if (!vessel.coupled) return "";
+  const CoupledHullDescription& hull = *vessel.coupled;
+  Listing list("Floating hull");
+  list.add("Hydrodynamic coefficients", std::filesystem::path(hull.hydrodynamics).filename().string())
+      .add("Mass", hull.mass, "kg")
+      .add("Centre of gravity x, y, z",
+           {hull.centre_of_gravity.x(), hull.centre_of_gravity.y(), hull.centre_of_gravity.z()}, "m")
+      .add("Gyration in roll, pitch, yaw", {hull.gyration.x(), hull.gyration.y(), hull.gyration.z()}, "m")
+      .add("Ballast", hull.ballast == Ballast::trim ? "keeps the trim" : "as given")
+      .add("Radiation", hull.radiation == Radiation::state_space ? "state space" : "convolution")
+      .add("Wave drift", drift_words(hull.wave_drift))
+      .add("Wave drift damping", hull.wave_drift_damping == WaveDriftDamping::none ? "none" : "Aranha")
+      .add("Current on the hull", current_words(hull.current))
+      .add("Low-pass of place and heading", hull.slow_period, "s");
+  for (const ModeDampingDescription& damping : hull.damping) {
+    list.add("Damping in " + damping.mode, damping_words(damping),
+             damping.ratio ? "" : shown_name("N") + ", " + shown_name("m") + ", s");
+  }
+  if (!hull.wind.areas.empty()) {
+    list.add("Wind from " + general(hull.wind.from, "rad") + " deg", hull.wind.speed, "m/s");
+  }
+  return list.str();
+}
+
+std::string mooring_inputs(const Description& model) {
+  if (!model.moorings || model.moorings->lines.empty()) return "";
+  Types types;
+  for (const MooringLineDescription& line : model.moorings->lines) add_types(line.segments, types);
+  return type_table(types) + fairlead_table(*model.moorings) + winch_table(model.moorings->winches);
+}
+
+std::string line_inputs(const Description& model) {
+  if (model.lines.empty()) return "";
+  Types types;
+  for (const FreeLineDescription& line : model.lines) add_types(line.segments, types);
+  return type_table(types);
+}
+
+}  // namespace overbend

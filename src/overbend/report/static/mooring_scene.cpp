@@ -1,0 +1,57 @@
+#include "report/static/mooring_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+constexpr double kBeyondTouchdown = 60.0;  ///< Of the laid pipe, so that it is seen to lie [m].
+constexpr std::size_t kPipePoints = 200;
+
+/// Azimuth of a horizontal direction, clockwise from north [rad].
+double azimuth(const Vec3& direction_W) {
+  return std::atan2(direction_W.x(), direction_W.y());
+}
+
+std::vector<Vec3> pipe_of(const StaticResults& lay) {
+  std::vector<Vec3> all;
+  for (auto at = lay.stations.rbegin(); at != lay.stations.rend(); ++at) {
+    if (at->s < lay.touchdown.s - kBeyondTouchdown) break;
+    all.push_back(at->p_W);
+  }
+  const std::size_t stride = all.size() / kPipePoints + 1;
+  std::vector<Vec3> some;
+  for (std::size_t i = 0; i < all.size(); i += stride) some.push_back(all[i]);
+  if (!all.empty()) some.push_back(all.back());
+  return some;
+}
+
+}  // namespace
+
+MooringScene mooring_scene(const std::optional<Description>& description) {
+  MooringScene scene;
+  if (!description) return scene;
+  scene.length = description->vessel.length;
+  scene.beam = description->vessel.beam;
+  scene.heading = description->vessel.heading;
+  scene.water_depth = description->environment.water_depth;
+  if (description->moorings) scene.objects = description->moorings->objects;
+  const EnvironmentDescription& sea = description->environment;
+  if (sea.waves.type != WaveType::none) scene.waves_from = sea.waves.from;
+  if (!sea.current.empty() && sea.current.front().speed > 0.0) scene.current_to = sea.current.front().towards;
+  return scene;
+}
+
+MooringScene mooring_scene(const std::optional<Description>& description, const StaticResults& lay) {
+  MooringScene scene = mooring_scene(description);
+  scene.pipe_W = pipe_of(lay);
+  scene.touchdown_W = lay.touchdown.p_W;
+  scene.length = lay.vessel_length;
+  scene.beam = lay.vessel_beam;
+  scene.water_depth = lay.water_depth;
+  if (!description) scene.heading = azimuth(lay.R_WV.col(0));
+  return scene;
+}
+
+}  // namespace overbend

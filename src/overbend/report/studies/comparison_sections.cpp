@@ -1,0 +1,221 @@
+#include "report/studies/comparison_sections.h"
+#include "report/page/quantity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/page/html.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+// The tensioner -----------------------------------------------------------------------------------------------------
+
+std::string tension_words(const ComparedRun& run) {
+  const Spread& tension = run.results.tensioner.tension;
+  return fmt::format("{}: {} to {}, standard deviation {}", run.words, shown_number(tension.min, "N", 1),
+                     shown(tension.max, "N", 1), shown(tension.std, "N", 2));
+}
+
+std::string counts_words(const TensionerDynamics& t) {
+  const std::string at_limit =
+      t.limit_count > 0 ? fmt::format(", and is at its travel limit for {} s", fixed(t.time_at_limit, 1)) : "";
+  return fmt::format(", pays out {} and hauls in {} times{}", t.pay_out_count, t.haul_in_count, at_limit);
+}
+
+std::vector<std::string> tensioner_sentences(const Comparison& comparison) {
+  std::vector<std::string> list;
+  for (const ComparedRun& run : comparison.runs) {
+    const TensionerDynamics& t = run.results.tensioner;
+    const double out = 100.0 * t.time_out_of_range / comparison.duration;
+    std::string words = fmt::format("{}. It is out of the range {} % of the time", tension_words(run), fixed(out, 1));
+    if (t.mode != "locked") {
+      words +=
+          fmt::format(", travels up to {}", shown(std::max(std::abs(t.travel.min), std::abs(t.travel.max)), "m", 3));
+    }
+    if (t.mode == "controlled") words += counts_words(t);
+    list.push_back(words + ".");
+  }
+  return list;
+}
+
+// Contact -----------------------------------------------------------------------------------------------------------
+
+/// Of a run: the box that is pressed hardest at one roller.
+const ComparedBoxes& hardest(const Comparison& comparison, std::size_t run) {
+  return *std::max_element(
+      comparison.boxes.begin(), comparison.boxes.end(),
+      [&](const ComparedBoxes& a, const ComparedBoxes& b) { return a.runs[run].peak_force < b.runs[run].peak_force; });
+}
+
+double average_carrying(const Comparison& comparison, std::size_t run) {
+  double sum = 0.0;
+  for (const ComparedBoxes& box : comparison.boxes) sum += box.runs[run].contact_share;
+  return sum;
+}
+
+std::string run_words(const Comparison& comparison, std::size_t run) {
+  const ComparedBoxes& box = hardest(comparison, run);
+  const ComparedBox& most = box.runs[run];
+  return fmt::format(
+      "{}: {} of {} boxes carry on average. The largest force of one {} on the pipe is {} ({}): a dent of {} in "
+      "bare steel, {} on the coating.",
+      comparison.runs[run].words, fixed(average_carrying(comparison, run), 1), comparison.boxes.size(),
+      comparison.runs[run].name == "gap_springs" ? "spring" : "roller", shown(most.peak_force, "N", 1), box.name,
+      shown(most.dent_depth, section_length(), 2), shown(most.line_load, "N/m", 1));
+}
+
+/// The box at which the springs' force is below the rollers' by the most, `sign` 1, or above it, -1; null where none
+/// is.
+const ComparedBoxes* farthest(const Comparison& comparison, double sign) {
+  const auto gap = [&](const ComparedBoxes& box) { return sign * (box.runs[0].peak_force - box.runs[1].peak_force); };
+  const auto most = std::max_element(comparison.boxes.begin(), comparison.boxes.end(),
+                                     [&](const ComparedBoxes& a, const ComparedBoxes& b) { return gap(a) < gap(b); });
+  return gap(*most) > 0.0 ? &*most : nullptr;
+}
+
+std::string against(const ComparedBoxes& box) {
+  const ComparedBox &rollers = box.runs[0], &springs = box.runs[1];
+  return fmt::format(
+      "{}: {} with gap springs compared with {} with rollers, dents of {} and {}, {} and {} on "
+      "the coating",
+      box.name, shown(springs.peak_force, "N", 1), shown(rollers.peak_force, "N", 1),
+      dents().text(springs.dent_depth, 2), shown(rollers.dent_depth, section_length(), 2),
+      line_loads().text(springs.line_load, 1), shown(rollers.line_load, "N/m", 1));
+}
+
+/// Where a check of dents and coating with gap springs is non-conservative, and where conservative.
+std::vector<std::string> meaning(const Comparison& comparison) {
+  const auto boxes = static_cast<std::ptrdiff_t>(comparison.boxes.size());
+  const auto below = std::count_if(comparison.boxes.begin(), comparison.boxes.end(), [](const ComparedBoxes& box) {
+    return box.runs[1].peak_force < box.runs[0].peak_force;
+  });
+  std::vector<std::string> list;
+  if (const ComparedBoxes* missed = farthest(comparison, 1.0)) {
+    list.push_back(
+        fmt::format("For dents and coating load, gap springs are non-conservative at {} of {} boxes, most at {}.",
+                    below, boxes, against(*missed)));
+  }
+  if (const ComparedBoxes* strict = farthest(comparison, -1.0)) {
+    list.push_back(
+        fmt::format("They are conservative at {} of {} boxes, most at {}. A spring carries at the middle of its box, "
+                    "rollers where the pipe touches them.",
+                    boxes - below, boxes, against(*strict)));
+  }
+  return list;
+}
+
+std::vector<std::string> contact_sentences(const Comparison& comparison) {
+  std::vector<std::string> list;
+  for (std::size_t run = 0; run < comparison.runs.size(); ++run) list.push_back(run_words(comparison, run));
+  const std::vector<std::string> more = meaning(comparison);
+  list.insert(list.end(), more.begin(), more.end());
+  return list;
+}
+
+// Impacts -----------------------------------------------------------------------------------------------------------
+
+double hardest_impact(const DynamicResults& results) {
+  return results.hardest_impacts.empty() ? 0.0 : results.hardest_impacts.front().peak_force;
+}
+
+std::string impacts_words(const Comparison& comparison, std::size_t run) {
+  const DynamicResults& results = comparison.runs[run].results;
+  std::string words = fmt::format("{}: {} impacts", comparison.runs[run].words, results.impact_count);
+  if (results.impact_count > 0) {
+    const Impact& most = results.hardest_impacts.front();
+    words += fmt::format(", the hardest {} at {} and t = {} s", shown(most.peak_force, "N", 1),
+                         shown(most.approach_velocity, "m/s", 3), fixed(most.time, 1));
+  }
+  const ComparedBox& box = hardest(comparison, run).runs[run];
+  return words + fmt::format(". The largest force of one roller on the pipe is {} ({}), {} steps were made in {} s.",
+                             shown(box.peak_force, "N", 1), hardest(comparison, run).name, results.run.steps,
+                             fixed(results.run.wall_time, 1));
+}
+
+/// How far what `value` tells of the second run is from that of the first, in words.
+std::string change_words(const Comparison& comparison, double (*value)(const DynamicResults&)) {
+  const double first = value(comparison.runs[0].results), second = value(comparison.runs[1].results);
+  if (first == 0.0) return second == 0.0 ? "the same" : "not zero";
+  const double change = 100.0 * (second / first - 1.0);
+  return fmt::format("{} % {}", fixed(std::abs(change), 1), change < 0.0 ? "less" : "more");
+}
+
+std::vector<std::string> impact_sentences(const Comparison& comparison) {
+  std::vector<std::string> list = {impacts_words(comparison, 0), impacts_words(comparison, 1)};
+  const auto count = [](const DynamicResults& r) { return static_cast<double>(r.impact_count); };
+  const auto stress = [](const DynamicResults& r) { return r.overbend.von_mises.over_time.max; };
+  const auto sagbend = [](const DynamicResults& r) { return r.sagbend.von_mises.over_time.max; };
+  const auto tension = [](const DynamicResults& r) { return r.top_tension.max; };
+  list.push_back(fmt::format(
+      "Captured against resolved: number of impacts {}, hardest impact {}, maximum von Mises stress in the overbend {} "
+      "and in the sagbend {}, maximum tension {}.",
+      change_words(comparison, count), change_words(comparison, hardest_impact), change_words(comparison, stress),
+      change_words(comparison, sagbend), change_words(comparison, tension)));
+  list.push_back(
+      "Captured peaks are estimates on the safe side for a single impact; where the pipe bounces, runs part from each "
+      "other by chance as well.");
+  return list;
+}
+
+std::vector<std::string> summary_sentences(const Comparison& comparison) {
+  switch (comparison.of) {
+    case ComparisonOf::tensioner:
+      return tensioner_sentences(comparison);
+    case ComparisonOf::contact:
+      return contact_sentences(comparison);
+    case ComparisonOf::impacts:
+      return impact_sentences(comparison);
+  }
+  broken_promise("every comparison has findings");
+}
+
+std::vector<std::string> box_cells(const ComparedBox& box) {
+  return {fixed(100.0 * box.contact_share, 1), forces().text(box.static_reaction, 1),
+          forces().text(box.mean_reaction, 1), forces().text(box.peak_reaction, 1),
+          forces().text(box.peak_force, 1),    dents().text(box.dent_depth, 2),
+          line_loads().text(box.line_load, 1)};
+}
+
+}  // namespace
+
+std::string comparison_section(const Comparison& comparison) {
+  return html::section("summary", "Summary", html::list(summary_sentences(comparison)));
+}
+
+std::string boxes_section(const Comparison& comparison) {
+  if (comparison.boxes.empty()) return "";
+  std::vector<html::Head> head = {{"Box", "", true}};
+  std::vector<std::pair<std::string, int>> groups = {{"", 1}};
+  for (const ComparedRun& run : comparison.runs) {
+    head.insert(head.end(), {{"Contact", "% of time"},
+                             {"static", shown_name("N")},
+                             {"mean", shown_name("N")},
+                             {"peak", shown_name("N")},
+                             {"one roller", shown_name("N")},
+                             {"dent", clearances().unit},
+                             {"line load", shown_name("N/m")}});
+    groups.emplace_back(run.words, 7);
+  }
+  html::Table table("", head, "dense boxes");
+  table.groups(groups);
+  for (const ComparedBoxes& box : comparison.boxes) {
+    std::vector<std::string> cells = {box.name};
+    for (const ComparedBox& run : box.runs) {
+      const std::vector<std::string> more = box_cells(run);
+      cells.insert(cells.end(), more.begin(), more.end());
+    }
+    table.row(cells);
+  }
+  return html::section(
+      "boxes", "Support boxes",
+      table.str() +
+          "<p class=\"small\">Static, mean, peak: resultant of the box. One roller: its largest normal "
+          "force; dent of bare steel and line load on the coating under that force.</p>\n");
+}
+
+}  // namespace overbend

@@ -1,0 +1,30 @@
+/// Data of the report's figures.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "model/description/description.h"
+#include "results/comparison_results.h"
+#include "results/line_results.h"
+#include "results/seek_results.h"
+
+namespace overbend {
+
+/// JSON: stations as columns, boxes with rows and rollers, vessel, places and extremes; SI, points as (astern of the
+/// stern shoe, to port, above the water). Long lines are thinned where they are straight, never at an extreme. With
+/// dynamic results these are under "dynamic", moorings under "moorings", the path
+/// of a goal seek under "seek"; `description` tells what stands around them.
+std::string report_data(const StaticResults& results, const DynamicResults* dynamic = nullptr,
+                        const std::optional<Description>& description = std::nullopt,
+                        const SeekResults* seek = nullptr);
+
+/// Of models without a pipe.
+std::string report_data(const MooringResults& results, const DynamicResults* dynamic,
+                        const std::optional<Description>& description);
+std::string report_data(const LinesResults& results, const std::optional<Description>& description);
+
+/// The static data with those of a comparison under "comparison".
+std::string report_data(const StaticResults& results, const Comparison& comparison);
+
+}  // namespace overbend

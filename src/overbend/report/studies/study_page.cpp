@@ -1,0 +1,110 @@
+#include "report/studies/study_page.h"
+
+#include <fmt/format.h>
+
+#include "report/page/figure_list.h"
+#include "report/page/front_page.h"
+#include "report/page/html.h"
+#include "report/page/page.h"
+#include "report/page/quantity.h"
+#include "report/page/sections.h"
+#include "report/studies/study_data.h"
+#include "report/studies/study_sections.h"
+
+namespace overbend {
+namespace {
+
+const std::vector<Figure>& figures_of(StudyShape shape) {
+  static const std::vector<Figure> kCurves = {
+      {"study_curves", "Results over the key that changes; bands show the range over the seeds", {"all"}, true}};
+  static const std::vector<Figure> kMaps = {{"study_maps",
+                                             "Results over the keys that change. The heavy line encloses the cases "
+                                             "with every governing check passed; hatched "
+                                             "cells have no result",
+                                             {"all"},
+                                             true}};
+  static const std::vector<Figure> kSwings = {
+      {"study_swings",
+       "Range of the results as one key at a time takes its values, the others as in the base case",
+       {"all"},
+       true}};
+  static const std::vector<Figure> kSample = {
+      {"study_correlations", "Rank correlation of the results with the keys (Spearman)", {"all"}, true},
+      {"study_scatter", "Results over the keys that are drawn; open circles exceed a governing check", {"all"}, true}};
+  static const std::vector<Figure> kNone;
+  switch (shape) {
+    case StudyShape::curves:
+      return kCurves;
+    case StudyShape::maps:
+      return kMaps;
+    case StudyShape::one_at_a_time:
+      return kSwings;
+    case StudyShape::sample:
+      return kSample;
+    default:
+      return kNone;
+  }
+}
+
+/// Whether an axis of directions is among those of the chart.
+bool has_headings(const OperabilityResults& operability) {
+  for (const StudyInput& axis : operability.axes) {
+    if (axis.unit == "rad" && axis.words.size() > 2) return true;
+  }
+  return false;
+}
+
+std::string operability_figures(const StudyResults& results, int& number) {
+  static const std::vector<Figure> kFigures = {
+      {"operability_chart", "Limit with the criterion met for every seed", {"chart"}},
+      {"operability_rose", "The same by direction; circles are levels of the limit", {"rose"}},
+      {"workability", "Fraction of the time below the limit, by month", {"months"}}};
+  if (!results.operability) return "";
+  const OperabilityResults& operability = *results.operability;
+  return figure_list(
+      kFigures,
+      [&](const Figure&, const std::string& part) {
+        if (part == "rose") return has_headings(operability);
+        if (part == "months") return operability.workability && operability.workability->months.size() == 12;
+        return !operability.axes.empty();
+      },
+      number);
+}
+
+std::string figures(const StudyResults& results) {
+  int number = 0;
+  const auto always = [](const Figure&, const std::string&) { return true; };
+  std::string all = operability_figures(results, number);
+  if (!results.cases.empty()) all += figure_list(figures_of(study_shape(results)), always, number);
+  return figure_section("figures", "Charts", all);
+}
+
+std::string kind_of(const StudyResults& results) {
+  return results.analysis.empty() ? "Study" : "Study, " + results.analysis + " analyses";
+}
+
+}  // namespace
+
+std::string study_html(const StudyResults& stored) {
+  const StudyResults results = in_shown_units(stored);
+  std::vector<std::pair<std::string, std::string>> entries;
+  if (!results.cases.empty()) entries.emplace_back("Cases", std::to_string(results.cases.size()));
+  if (results.operability) entries.emplace_back("Analyses of the chart", std::to_string(results.operability->runs));
+  if (results.wall_time > 0.0) entries.emplace_back("Computed in", duration_words(results.wall_time));
+  if (results.threads > 0) entries.emplace_back("Threads", std::to_string(results.threads));
+  entries.emplace_back("Program", "Overbend " + results.version);
+  entries.emplace_back("Written", written_now());
+  const std::string body =
+      title_block(kind_of(results), results.title, entries) + (results.cases.empty() ? "" : study_verdict(results)) +
+      findings_section(results.findings) + study_inputs_section(results) + figures(results) +
+      operability_section(results) + study_extremes_section(results) + failed_cases_section(results) +
+      (results.cases.empty() ? "" : study_cases_section(results)) + assumptions_section(results.assumptions);
+  const Json data = {{"study", study_data(results)}};
+  return study_frame(results.title + " - study", body, json_text(data));
+}
+
+void write_study_report(const StudyResults& results, const std::filesystem::path& file) {
+  write_page(study_html(results), file);
+}
+
+}  // namespace overbend

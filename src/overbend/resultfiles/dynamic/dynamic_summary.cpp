@@ -1,0 +1,25 @@
+#include "resultfiles/dynamic/dynamic_writer.h"
+#include "resultfiles/static/case_summary.h"
+#include "resultfiles/summary/summary_fields.h"
+#include "resultfiles/summary/summary_json.h"
+#include "results/findings.h"
+#include "results/verdict.h"
+
+namespace overbend {
+
+Json dynamic_summary_json(const StaticResults& statics, const DynamicResults& results) {
+  if (!statics.has_pipe()) return moored_dynamic_summary_json(*statics.moorings, results);
+  Json summary = static_summary_json(statics);
+  summary["dynamic"] = dynamic_part(SummaryStyle{}, statics, results);
+  summary["dynamic"]["verdict"] = verdict_json(make_verdict(results.checks, all_findings(statics, results)));
+  add_moored_dynamics(results, summary);
+  add_stinger_dynamics(results, summary);
+  add_fatigue(results, summary);
+  return summary;
+}
+
+std::string dynamic_summary(const StaticResults& statics, const DynamicResults& results) {
+  return summary_text(dynamic_summary_json(statics, results));
+}
+
+}  // namespace overbend

@@ -1,0 +1,17 @@
+#include "resultfiles/summary/summary_fields.h"
+#include "resultfiles/summary/summary_json.h"
+#include "results/fields/fatigue_fields.h"
+
+namespace overbend {
+
+void add_fatigue(const DynamicResults& results, Json& summary) {
+  if (!results.fatigue) return;
+  const SummaryStyle style;
+  Json& fatigue = summary["dynamic"]["fatigue"];
+  fatigue = object_of(style, [&](auto& one) { visit_fatigue(*results.fatigue, one); });
+  fatigue["spots"] = style.rows(results.fatigue->spots, [&](const FatigueSpot& spot) {
+    return object_of(style, [&](auto& one) { visit_fatigue_spot(spot, one); });
+  });
+}
+
+}  // namespace overbend

@@ -1,0 +1,209 @@
+#include "resultfiles/moored/mooring_writer.h"
+#include "resultfiles/summary/summary_fields.h"
+#include "resultfiles/summary/summary_json.h"
+#include "results/fields/moored_fields.h"
+#include "results/fields/mooring_fields.h"
+#include "results/fields/move_fields.h"
+#include "results/fields/static_values.h"
+#include "results/verdict.h"
+
+namespace overbend {
+namespace {
+
+/// Six rows of six, null where there are none.
+Json square(const std::vector<double>& values) {
+  if (values.empty()) return nullptr;
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < values.size(); i += 6) {
+    rows.push_back(std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(i),
+                                       values.begin() + static_cast<std::ptrdiff_t>(i) + 6));
+  }
+  return rows;
+}
+
+Json vessel_json(const SummaryStyle& style, const VesselResult& vessel) {
+  JsonWriter json(style);
+  visit_vessel_offset(vessel, json);
+  json["natural_periods"] = Json::array();
+  for (const PeriodResult& period : vessel.natural_periods) {
+    json["natural_periods"].push_back(Json{{"mode", period.mode}, {"period", period.period}});
+  }
+  json["stiffness"] = square(vessel.stiffness);
+  return json.take();
+}
+
+Json line_json(const SummaryStyle& style, const MooringLineResult& line) {
+  JsonWriter json(style);
+  visit_mooring_line(line, json);
+  json["length_on_bed"] = line.on_bed;
+  visit_mooring_use(line, json);
+  if (line.clearance) json["nearest_object"] = line.nearest_object;
+  return json.take();
+}
+
+Json state_json(const SummaryStyle& style, const MooredState& state) {
+  Json json;
+  json["vessel"] = vessel_json(style, state.vessel);
+  json["moorings"] = style.rows(state.moorings, [&](const MooringLineResult& line) { return line_json(style, line); });
+  json["mooring_force"] = state.mooring_force.empty() ? Json(nullptr) : Json(state.mooring_force);
+  json["mooring_stiffness"] = square(state.mooring_stiffness);
+  if (!state.thrust.empty()) {
+    json["thrust"] = Json{{"surge", state.thrust[0]}, {"sway", state.thrust[1]}, {"yaw", state.thrust[2]}};
+  }
+  json["balance"] = Json{{"force_residual", state.residual}};
+  json["iterations"] = state.iterations;
+  return json;
+}
+
+Json stage_json(const SummaryStyle& style, const MooredState& state) {
+  Json json;
+  json["name"] = state.name;
+  json.update(state_json(style, state));
+  json["winch_lengths"] = Json::object();
+  for (const MooringLineResult& line : state.moorings) json["winch_lengths"][line.name] = line.first_segment_length;
+  return json;
+}
+
+/// A place of a pull-ahead.
+Json step_json(const SummaryStyle& style, const MooringResults& results, const MoveStep& step) {
+  JsonWriter json(style);
+  visit_move_step(step, json);
+  json["vessel"] = object_of(style, [&](auto& vessel) { visit_vessel_offset(step.vessel, vessel); });
+  for (std::size_t i = 0; i < step.lengths.size(); ++i) {
+    const std::string& name = results.rest.moorings[i].name;
+    json["winch_lengths"][name] = step.lengths[i];
+    json["fairlead_tensions"][name] = step.tensions[i];
+  }
+  if (step.pipe) {
+    json["pipe"] = object_of(style, [&](auto& pipe) { visit_pipe_at_step(*step.pipe, pipe); });
+    const std::optional<double>& clearance = step.pipe->stinger_tip_clearance;
+    json["pipe"]["stinger_tip_clearance"] = clearance ? Json(*clearance) : Json(nullptr);
+  }
+  json["balance"] = Json{{"force_residual", step.residual}};
+  return json.take();
+}
+
+/// What the winches did, and on the way.
+Json winches_json(const SummaryStyle& style, const MooringResults& results) {
+  Json json;
+  json["lines"] = style.rows(results.winches, [&](const WinchMove& move) {
+    Json line = object_of(style, [&](auto& one) { visit_winch_move(move, one); });
+    line["winch"] = move.after - move.before;
+    return line;
+  });
+  if (results.operation != "pull_ahead") return json;
+  json["distance"] = results.distance;
+  json["steps"] = style.rows(results.steps, [&](const MoveStep& step) { return step_json(style, results, step); });
+  return json;
+}
+
+void add_operation(const SummaryStyle& style, const MooringResults& results, Json& json) {
+  if (!results.operation.empty()) {
+    json["operation"]["type"] = results.operation;
+    json["operation"]["stages"] =
+        style.rows(results.stages, [&](const MooredState& stage) { return stage_json(style, stage); });
+  }
+  if (results.operation == "anchor_plan") {
+    json["operation"]["anchors"] = style.rows(results.anchors, [&](const AnchorDue& due) {
+      return object_of(style, [&](auto& one) { visit_anchor_due(due, one); });
+    });
+  }
+  if (!results.winches.empty() || !results.steps.empty()) {
+    json["operation"][results.operation] = winches_json(style, results);
+  }
+}
+
+Json hull_json(const SummaryStyle& style, const HullResults& hull) {
+  JsonWriter json(style);
+  visit_hull(hull, json);
+  visit_steady_loads(hull, json);
+  json["radiation"] = style.rows(hull.entries, [&](const RadiationEntryResult& entry) {
+    return object_of(style, [&](auto& one) { visit_radiation_entry(entry, one); });
+  });
+  json["fit"] = style.rows(hull.groups, [&](const RadiationGroupResult& group) {
+    return object_of(style, [&](auto& one) { visit_radiation_group(group, one); });
+  });
+  json["damping"] = style.rows(hull.damping, [&](const ModeDampingResult& mode) {
+    return object_of(style, [&](auto& one) { visit_mode_damping(mode, one); });
+  });
+  return json.take();
+}
+
+Json line_in_time(const SummaryStyle& style, const MooringLineDynamics& line) {
+  JsonWriter json(style);
+  visit_mooring_dynamics(line, json);
+  json["events"] = style.rows(line.events, [&](const MooringEvent& event) {
+    return object_of(style, [&](auto& one) { visit_mooring_event(event, one); });
+  });
+  return json.take();
+}
+
+}  // namespace
+
+Json mooring_summary_json(const MooringResults& results) {
+  const SummaryStyle style;
+  JsonWriter json(style);
+  json["status"] = "converged";
+  visit_heading(results, json);
+  json["units"] = "SI: m, N, rad; angles of the vessel by Rz(yaw) Ry(pitch) Rx(roll) along the drawn axes";
+  json["frame"] = kWorldFrame;
+  json["verdict"] = verdict_json(make_verdict(results.checks, results.findings));
+  json["checks"] = summary_checks(style, results.checks);
+  json["static"] = state_json(style, results.rest);
+  Json summary = json.take();
+  if (results.hull) add_hull(*results.hull, summary);
+  add_operation(style, results, summary);
+  return summary;
+}
+
+Json moored_dynamic_summary_json(const MooringResults& statics, const DynamicResults& results) {
+  const SummaryStyle style;
+  Json summary = mooring_summary_json(statics);
+  JsonWriter json(style);
+  visit_dynamic_settings(results, json);
+  json["extremes"] = style.rows(results.extremes, [&](const ExtremeEstimate& estimate) {
+    return object_of(style, [&](auto& one) { visit_estimate(estimate, one); });
+  });
+  json["energy_drift"] = style.number(results.energy.drift());
+  visit_dynamic_run(results.run, json);
+  json["verdict"] = verdict_json(make_verdict(results.checks, merge(results.findings, statics.findings)));
+  json["checks"] = summary_checks(style, results.checks);
+  summary["dynamic"] = json.take();
+  add_moored_dynamics(results, summary);
+  return summary;
+}
+
+std::string mooring_summary(const MooringResults& results) {
+  return summary_text(mooring_summary_json(results));
+}
+
+void add_hull(const HullResults& hull, Json& summary) {
+  summary["static"]["hull"] = hull_json(SummaryStyle{}, hull);
+}
+
+void add_moored_dynamics(const DynamicResults& results, Json& summary) {
+  const SummaryStyle style;
+  Json& dynamic = summary["dynamic"];
+  if (results.vessel) {
+    dynamic["vessel"] = object_of(style, [&](auto& one) { visit_vessel_dynamics(*results.vessel, one); });
+  }
+  if (!results.thrust.empty()) {
+    dynamic["thrust"] = style.rows(results.thrust, [&](const ThrustDynamics& thrust) {
+      return object_of(style, [&](auto& one) { visit_thrust_dynamics(thrust, one); });
+    });
+  }
+  if (results.moorings.empty()) return;
+  dynamic["moorings"] =
+      style.rows(results.moorings, [&](const MooringLineDynamics& line) { return line_in_time(style, line); });
+}
+
+void add_moorings(const MooringResults& results, Json& summary) {
+  const SummaryStyle style;
+  Json rest = state_json(style, results.rest);
+  for (const char* part : {"vessel", "moorings", "mooring_force", "mooring_stiffness", "thrust"}) {
+    if (rest.contains(part)) summary["static"][part] = std::move(rest[part]);
+  }
+  add_operation(style, results, summary);
+}
+
+}  // namespace overbend

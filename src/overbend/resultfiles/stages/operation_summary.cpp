@@ -1,0 +1,84 @@
+#include "model/description/operation_words.h"
+#include "resultfiles/stages/operation_writer.h"
+#include "resultfiles/static/case_summary.h"
+#include "resultfiles/static/passage_json.h"
+#include "resultfiles/summary/summary_fields.h"
+#include "resultfiles/summary/summary_json.h"
+#include "results/findings.h"
+#include "results/worst_stage.h"
+
+namespace overbend {
+namespace {
+
+/// A number that was not asked for is not told as null.
+void drop_nulls(Json& json) {
+  for (auto member = json.begin(); member != json.end();) member = member->is_null() ? json.erase(member) : ++member;
+}
+
+Json stage_json(const SummaryStyle& style, const StageResult& stage) {
+  Json json = object_of(style, [&](auto& one) { visit_lay_stage(stage.stage, one); });
+  drop_nulls(json);
+  json["status"] = stage.lay ? "converged" : "failed";
+  json.update(object_of(style, [&](auto& one) { visit_stage_result(stage, one); }));
+  if (stage.failure) {
+    json["failure"] = object_of(style, [&](auto& one) { visit_stage_failure(*stage.failure, one); });
+  }
+  if (stage.lay) {
+    json.update(static_part(style, *stage.lay));
+    json["lay_warnings"] = messages(stage.lay->findings);
+    json["lay_findings"] = findings_json(stage.lay->findings);
+    json["checks"] = summary_checks(style, stage.lay->checks);
+  }
+  return json;
+}
+
+const char* status_of(const OperationResults& results) {
+  const auto stands = [](const StageResult& stage) { return stage.lay.has_value(); };
+  const auto standing = std::count_if(results.stages.begin(), results.stages.end(), stands);
+  if (standing == 0) return "failed";
+  return standing == static_cast<std::ptrdiff_t>(results.stages.size()) ? "converged" : "some stages failed";
+}
+
+/// The check used most at any stage, with the name of that stage; null where none was judged.
+Json worst_json(const SummaryStyle& style, const OperationResults& results) {
+  const StageResult* stage = worst_stage(results);
+  if (stage == nullptr) return nullptr;
+  Json json = summary_check(style, *worst_check(stage->lay->checks));
+  json["stage"] = stage->stage.name;
+  return json;
+}
+
+/// The pipe's own section, which all stages have; empty where none stands.
+Json derived_json(const SummaryStyle& style, const OperationResults& results) {
+  for (const StageResult& stage : results.stages) {
+    if (!stage.lay || stage.lay->sections.empty()) continue;
+    return object_of(style, [&](auto& one) { visit_section(stage.lay->sections.front(), one); });
+  }
+  return Json::object();
+}
+
+}  // namespace
+
+Json operation_summary_json(const OperationResults& results) {
+  const SummaryStyle style;
+  JsonWriter json(style);
+  json["status"] = status_of(results);
+  visit_operation_heading(results, json);
+  json["units"] = "SI: m, N, Pa, rad, s; angles from horizontal";
+  json["frame"] = kWorldFrame;
+  json["derived"] = derived_json(style, results);
+  json["verdict"] = verdict_json(operation_verdict(results));
+  json["checks"] = Json{{"worst", worst_json(style, results)}};
+  Json& operation = json["operation"];
+  operation["type"] = operation_word(results.type);
+  operation["wall_time"] = results.wall_time;
+  if (const std::optional<PassageResults> passage = passage_of(results)) operation["passage"] = passage_json(*passage);
+  operation["stages"] = style.rows(results.stages, [&](const StageResult& one) { return stage_json(style, one); });
+  return json.take();
+}
+
+std::string operation_summary(const OperationResults& results) {
+  return summary_text(operation_summary_json(results));
+}
+
+}  // namespace overbend

@@ -1,0 +1,73 @@
+#include "resultfiles/stages/operation_writer.h"
+
+#include <fmt/format.h>
+
+#include "model/description/operation_words.h"
+#include "resultfiles/hdf5/hdf5_file.h"
+#include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/stages/stage_table.h"
+#include "resultfiles/static/finite_check.h"
+#include "resultfiles/tables/finite_visitor.h"
+#include "resultfiles/tables/xlsx_table.h"
+#include "results/fields/lay_operation_fields.h"
+#include "runstore/append_file.h"
+
+namespace overbend {
+namespace {
+
+void require_finite_stages(const OperationResults& results) {
+  for (std::size_t i = 0; i < results.stages.size(); ++i) {
+    const StageResult& stage = results.stages[i];
+    FiniteVisitor visit{indexed("operation.stages", i)};
+    visit_lay_stage(stage.stage, visit);
+    visit_stage_result(stage, visit);
+    if (stage.failure) visit_stage_failure(*stage.failure, visit);
+    if (stage.lay) require_finite(*stage.lay);
+  }
+}
+
+void write_stage(DatasetSink& file, const std::string& group, const StageResult& stage) {
+  file.group(group, "A stage of the operation");
+  ValueWriter visit{file, group};
+  visit_lay_stage(stage.stage, visit);
+  visit_stage_result(stage, visit);
+  if (stage.failure) {
+    visit.group = group + "/failure";
+    file.group(visit.group, "Why the stage has no equilibrium");
+    visit_stage_failure(*stage.failure, visit);
+  }
+  if (stage.lay) write_lay_group(file, group + "/static", *stage.lay);
+}
+
+}  // namespace
+
+void write_operation_groups(DatasetSink& file, const OperationResults& results) {
+  file.group("/operation", "Stages of an operation on the line");
+  ValueWriter visit{file, "/operation"};
+  visit_operation_heading(results, visit);
+  visit(ResultField{"type", "1", "Type of the operation"}, std::string(operation_word(results.type)));
+  visit(ResultField{"wall_time", "s", "Time inside the solver, all stages"}, results.wall_time);
+  for (std::size_t i = 0; i < results.stages.size(); ++i) {
+    write_stage(file, fmt::format("/operation/stage_{:03}", i + 1), results.stages[i]);
+  }
+}
+
+void write_operation_hdf5(const OperationResults& results, const Description& description,
+                          const std::filesystem::path& path) {
+  Hdf5Writer file(path);
+  write_results_heading(file, results.title, description);
+  write_operation_groups(file, results);
+  file.close();
+}
+
+void write_operation_files(const OperationResults& results, const Description& description,
+                           const std::filesystem::path& folder) {
+  require_finite_stages(results);
+  write_operation_hdf5(results, description, folder / "results.h5");
+  const DataTable table = stages_table(results);
+  write_text(folder / "stages.csv", csv_text(table));
+  write_xlsx({table}, folder / "stages.xlsx");
+  write_text(folder / "summary.json", operation_summary(results));
+}
+
+}  // namespace overbend

@@ -1,0 +1,148 @@
+#include "resultfiles/stages/stage_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "resultfiles/tables/csv_fields.h"
+#include "results/fields/lay_operation_fields.h"
+#include "results/sagbend.h"
+
+namespace overbend {
+namespace {
+
+/// Gathers what is visited into columns, stage by stage; every stage visits the same fields in the same order.
+class ColumnGatherer {
+ public:
+  /// Until the next call what is visited is an example, whose cells stay empty.
+  void absent(bool absent) { absent_ = absent; }
+  void end_row() { next_ = 0; }
+  std::vector<StageTableColumn> take() { return std::move(columns_); }
+
+  void operator()(const ResultField& f, double value) {
+    if (f.heading.empty()) return;
+    const ShownUnit unit = shown_unit(f);
+    StageTableColumn& column = next(f, false);
+    column.unit = unit.name;
+    column.digits = unit.digits;
+    column.numbers.push_back(absent_ ? std::numeric_limits<double>::quiet_NaN() : value * unit.factor);
+  }
+  void operator()(const ResultField& f, const std::optional<double>& value) {
+    (*this)(f, value.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  void operator()(const ResultField& f, const std::string& value) {
+    if (!f.heading.empty()) next(f, true).texts.push_back(absent_ ? "" : value);
+  }
+  template <class Other>
+  void operator()(const ResultField&, const Other&) {}
+
+ private:
+  StageTableColumn& next(const ResultField& f, bool text) {
+    if (next_ == columns_.size()) {
+      columns_.emplace_back().heading = f.heading;
+      columns_.back().text = text;
+    }
+    return columns_[next_++];
+  }
+
+  std::vector<StageTableColumn> columns_;
+  std::size_t next_ = 0;
+  bool absent_ = false;
+};
+
+/// Key results of a lay, in the order of reading: tension, shape, stresses, contacts.
+template <class Visit>
+void visit_lay_in_brief(const StaticResults& r, Visit& visit) {
+  const auto nothing = std::numeric_limits<double>::quiet_NaN();
+  visit(ResultField{"top_tension", "N"}.csv("top tension"), r.top_tension);
+  visit(ResultField{"bottom_tension", "N"}.csv("bottom tension"), r.bottom_tension);
+  visit(ResultField{"lay_back", "m"}.csv("lay-back"), r.lay_back);
+  visit(ResultField{"top_inclination", "rad"}.csv("top inclination"), r.top_inclination);
+  visit(ResultField{"departure_angle", "rad"}.csv("departure angle"), r.departure_angle);
+  visit(ResultField{"von_mises", "Pa"}.csv("overbend von Mises stress"),
+        r.overbend ? r.overbend->von_mises.value : nothing);
+  visit(ResultField{"strain", "1"}.csv("overbend strain"), r.overbend ? r.overbend->strain.value : nothing);
+  visit(ResultField{"von_mises", "Pa"}.csv("sagbend von Mises stress"),
+        has_sagbend(r) ? r.sagbend.von_mises.value : nothing);
+  visit(ResultField{"strain", "1"}.csv("sagbend strain"), has_sagbend(r) ? r.sagbend.strain.value : nothing);
+  visit(ResultField{"bending_moment", "N m"}.csv("sagbend moment"),
+        has_sagbend(r) ? r.sagbend.bending_moment.value : nothing);
+  visit(ResultField{"tip_clearance", "m"}.csv("tip clearance"), r.stinger_tip_clearance);
+  const StingerSectionResult* stinger = r.stinger.empty() ? nullptr : &r.stinger.front();
+  visit(ResultField{"stinger_angle", "rad"}.csv("stinger angle"), stinger != nullptr ? stinger->angle : nothing);
+  visit(ResultField{"hinge_force", "N"}.csv("hinge force"), stinger != nullptr ? stinger->hinge_force : nothing);
+  visit(ResultField{"stop_moment", "N m"}.csv("stop moment"), stinger != nullptr ? stinger->stop_moment : nothing);
+  visit(ResultField{"reaction", "N"}.csv("largest reaction"), r.supports.empty() ? nothing : r.largest_reaction);
+  visit(ResultField{"support", "1"}.csv("at"), r.largest_reaction_support);
+  const CheckRow* worst = worst_check(r.checks);
+  visit(ResultField{"check", "1"}.csv("decisive check"), worst != nullptr ? worst->name : std::string());
+  visit(ResultField{"utilisation", "1"}.csv("utilisation"), worst != nullptr ? worst->utilisation : nothing);
+}
+
+/// Visits a part, or an example of it with empty cells.
+template <class Part, class VisitPart>
+void visit_or_absent(const std::optional<Part>& part, ColumnGatherer& columns, VisitPart visit_part) {
+  columns.absent(!part);
+  const Part example{};
+  visit_part(part ? *part : example);
+  columns.absent(false);
+}
+
+void gather(const StageResult& stage, ColumnGatherer& columns) {
+  visit_lay_stage(stage.stage, columns);
+  columns(ResultField{"status"}.csv("status"), std::string(stage.lay ? "converged" : "no equilibrium"));
+  visit_stage_result(stage, columns);
+  visit_or_absent(stage.lay, columns, [&](const StaticResults& lay) { visit_lay_in_brief(lay, columns); });
+  const StaticResults none{};
+  const StaticResults& lay = stage.lay ? *stage.lay : none;
+  visit_or_absent(lay.head, columns, [&](const HeadResult& head) {
+    visit_head(head, columns);
+    columns(ResultField{"z", "m"}.csv("head height"), head.p_W.z());
+  });
+  visit_or_absent(lay.cable, columns, [&](const CableResult& cable) { visit_cable(cable, columns); });
+  visit_or_absent(lay.far_anchor, columns,
+                  [&](const StartUpAnchorResult& anchor) { visit_far_anchor(anchor, columns); });
+  const std::string why = stage.failure ? stage.failure->what + ": " + stage.failure->why : "";
+  columns(ResultField{"why"}.csv("why not"), why);
+  columns(ResultField{"least_tension", "N"}.csv("least tension"),
+          stage.failure ? stage.failure->least_tension : std::nullopt);
+  columns.end_row();
+}
+
+bool is_empty(const StageTableColumn& column) {
+  if (column.text) {
+    return std::all_of(column.texts.begin(), column.texts.end(), [](const std::string& cell) { return cell.empty(); });
+  }
+  return std::all_of(column.numbers.begin(), column.numbers.end(), [](double cell) { return std::isnan(cell); });
+}
+
+}  // namespace
+
+std::vector<StageTableColumn> stage_table_columns(const OperationResults& results) {
+  ColumnGatherer gatherer;
+  for (const StageResult& stage : results.stages) gather(stage, gatherer);
+  std::vector<StageTableColumn> columns = gatherer.take();
+  std::erase_if(columns, is_empty);
+  return columns;
+}
+
+DataTable stages_table(const OperationResults& results) {
+  DataTable table;
+  table.name = "Stages";
+  table.rows.resize(results.stages.size());
+  for (const StageTableColumn& column : stage_table_columns(results)) {
+    table.columns.push_back({headed(column.heading, column.unit), column.digits});
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      if (column.text) {
+        table.rows[i].emplace_back(column.texts[i]);
+      } else if (std::isnan(column.numbers[i])) {
+        table.rows[i].emplace_back(std::monostate());
+      } else {
+        table.rows[i].emplace_back(column.numbers[i]);
+      }
+    }
+  }
+  return table;
+}
+
+}  // namespace overbend

@@ -1,0 +1,12 @@
+/// The key operation.passage of summary.json.
+#pragma once
+
+#include "resultfiles/summary/summary_json.h"
+#include "results/passage_results.h"
+
+namespace overbend {
+
+/// Peaks are {value, stage, passed}; SI.
+Json passage_json(const PassageResults& passage);
+
+}  // namespace overbend

@@ -1,0 +1,46 @@
+#include "resultfiles/static/results_writer.h"
+#include "resultfiles/moored/mooring_writer.h"
+
+#include <span>
+
+#include "resultfiles/moored/move_table.h"
+#include "resultfiles/static/check_tables.h"
+#include "resultfiles/static/finite_check.h"
+#include "resultfiles/static/sensitivity_files.h"
+#include "resultfiles/static/span_table.h"
+#include "resultfiles/summary/summary_json.h"
+#include "runstore/append_file.h"
+#include "runstore/staged_folder.h"
+
+namespace overbend {
+
+void write_static_files(const StaticResults& results, const Description& description,
+                        const std::filesystem::path& folder, const SensitivityResults* sensitivities) {
+  require_finite(results);
+  write_static_hdf5(results, description, folder / "results.h5", sensitivities);
+  write_text(folder / "pipe.csv", pipe_table(results));
+  write_text(folder / "supports.csv", supports_table(results));
+  write_text(folder / "checks.csv", checks_table(results.checks));
+  write_text(folder / "calculation_sheet.csv", calculation_sheet_table(results.checks));
+  if (results.bed) write_text(folder / "spans.csv", span_table(*results.bed));
+  if (results.moorings) write_text(folder / "moorings.csv", moorings_table(*results.moorings));
+  if (results.moorings && !results.moorings->steps.empty()) {
+    write_text(folder / "pull_ahead.csv", move_table(*results.moorings));
+  }
+  Json summary = static_summary_json(results);
+  if (sensitivities != nullptr) {
+    write_text(folder / "sensitivities.csv", sensitivities_table(*sensitivities));
+    summary["sensitivities"] = sensitivities_json(*sensitivities);
+  }
+  write_text(folder / "summary.json", summary_text(summary));
+}
+
+void write_static_results(const StaticResults& results, const Description& description,
+                          const std::filesystem::path& dir) {
+  require_finite(results);
+  StagedFolder staged(dir);
+  write_static_files(results, description, staged.path());
+  staged.commit("summary.json");
+}
+
+}  // namespace overbend

@@ -1,0 +1,33 @@
+/// Writes what a static analysis found: summary.json, pipe.csv, supports.csv, checks.csv, results.h5.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "model/description/description.h"
+#include "results/sensitivity_results.h"
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// Writes all files to `dir`, whole or not at all; makes `dir` where it is missing. Throws std::runtime_error when a
+/// quantity is not finite (and names it) or a file cannot be written.
+void write_static_results(const StaticResults& results, const Description& description,
+                          const std::filesystem::path& dir);
+
+/// The same files straight into an existing folder, for callers that stage a folder with further files of their
+/// own. With `sensitivities` they say what the results hang on, and sensitivities.csv comes with them.
+void write_static_files(const StaticResults& results, const Description& description,
+                        const std::filesystem::path& folder, const SensitivityResults* sensitivities = nullptr);
+
+/// The text of pipe.csv: a row per station, engineering units.
+std::string pipe_table(const StaticResults& results);
+
+/// The text of supports.csv: a row per roller, engineering units.
+std::string supports_table(const StaticResults& results);
+
+/// Writes results.h5: groups model and static, and what results hang on where given.
+void write_static_hdf5(const StaticResults& results, const Description& description, const std::filesystem::path& file,
+                       const SensitivityResults* sensitivities = nullptr);
+
+}  // namespace overbend

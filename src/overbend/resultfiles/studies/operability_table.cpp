@@ -1,0 +1,91 @@
+#include "resultfiles/studies/operability_table.h"
+
+#include <array>
+
+#include "base/units.h"
+
+namespace overbend {
+namespace {
+
+constexpr std::array<const char*, 12> kMonths = {"January", "February", "March",     "April",   "May",      "June",
+                                                 "July",    "August",   "September", "October", "November", "December"};
+
+/// What one SI unit is in the one shown.
+double shown_factor(const std::string& unit, const std::string& show) {
+  const std::optional<double> factor = show.empty() ? std::nullopt : unit_factor(show, unit);
+  return factor ? 1.0 / *factor : 1.0;
+}
+
+TableCell cell_of(const std::optional<double>& value, double factor = 1.0) {
+  return value ? TableCell(*value * factor) : TableCell();
+}
+
+TableCell axis_cell(const StudyInput& axis, std::size_t index) {
+  if (axis.values.empty()) return axis.words.at(index);
+  return axis.values.at(index) * shown_factor(axis.unit, axis.show);
+}
+
+std::vector<TableCell> row_of(const OperabilityResults& results, const OperabilityCell& cell) {
+  std::vector<TableCell> row;
+  for (std::size_t i = 0; i < results.axes.size(); ++i) row.push_back(axis_cell(results.axes[i], cell.at.at(i)));
+  const double factor = shown_factor(results.unit, results.show);
+  row.push_back(cell_of(cell.limit, factor));
+  if (results.alpha) row.push_back(cell_of(cell.limit, *results.alpha * factor));
+  row.emplace_back(limit_words(cell));
+  row.emplace_back(cell.governing);
+  const bool has_above = cell.decided && !cell.beyond;
+  row.push_back(cell.limit && cell.below > 0.0 ? TableCell(cell.below) : TableCell());
+  row.push_back(has_above && cell.above > 0.0 ? TableCell(cell.above) : TableCell());
+  row.emplace_back(static_cast<double>(cell.runs));
+  row.emplace_back(cell.reason);
+  return row;
+}
+
+}  // namespace
+
+std::string limit_words(const OperabilityCell& cell) {
+  if (!cell.decided) return "not decided";
+  if (!cell.limit) return "below the least";
+  return cell.beyond ? "above the largest" : "limit";
+}
+
+DataTable operability_table(const OperabilityResults& results) {
+  DataTable table;
+  table.name = "operability";
+  for (const StudyInput& axis : results.axes) table.columns.push_back({headed(axis.key, axis.show)});
+  table.columns.push_back({headed("largest " + results.over, results.show)});
+  if (results.alpha) {
+    table.columns.push_back({headed("alpha x largest (alpha = " + format_number(*results.alpha) + ")", results.show)});
+  }
+  table.columns.push_back({"limit"});
+  table.columns.push_back({"governing"});
+  table.columns.push_back({"utilisation at the limit"});
+  table.columns.push_back({"utilisation above it"});
+  table.columns.push_back({"analyses", 0});
+  table.columns.push_back({"remark"});
+  for (const OperabilityCell& cell : results.cells) table.rows.push_back(row_of(results, cell));
+  return table;
+}
+
+DataTable workability_table(const OperabilityResults& results) {
+  DataTable table;
+  table.name = "workability";
+  table.columns = {{"month"}, {"workable [%]", 1}};
+  const std::optional<Workability>& forecast = results.forecast_workability;
+  if (forecast) table.columns.push_back({"workable by forecast, with alpha [%]", 1});
+  if (!results.workability) return table;
+  const auto add = [&](const std::string& name, double part, const double* with_alpha) {
+    std::vector<TableCell> row = {name, 100.0 * part};
+    if (with_alpha != nullptr) row.emplace_back(100.0 * *with_alpha);
+    table.rows.push_back(std::move(row));
+  };
+  const std::vector<double>& months = results.workability->months;
+  for (std::size_t i = 0; months.size() == kMonths.size() && i < months.size(); ++i) {
+    add(kMonths[i], months[i], forecast ? &forecast->months.at(i) : nullptr);
+  }
+  add("year", results.workability->year, forecast ? &forecast->year : nullptr);
+  add("outside of the chart", results.workability->outside, forecast ? &forecast->outside : nullptr);
+  return table;
+}
+
+}  // namespace overbend

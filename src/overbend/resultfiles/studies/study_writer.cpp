@@ -1,0 +1,309 @@
+#include "resultfiles/studies/study_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "base/require.h"
+#include "base/units.h"
+#include "resultfiles/hdf5/hdf5_file.h"
+#include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/studies/operability_json.h"
+#include "resultfiles/studies/operability_table.h"
+#include "resultfiles/summary/summary_json.h"
+#include "resultfiles/tables/xlsx_table.h"
+#include "runstore/replace_file.h"
+
+#include "results/result_words.h"
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kStates = {"open", "done", "failed"};
+
+const char* state_word(const StudyCase& one) {
+  return kStates.at(static_cast<std::size_t>(one.state));
+}
+
+bool has_seeds(const StudyResults& results) {
+  return std::ranges::any_of(results.cases, [](const StudyCase& one) { return one.seed.has_value(); });
+}
+
+/// What one of the unit shown is in SI.
+double factor_of(const StudyInput& input) {
+  if (input.show.empty()) return 1.0;
+  const std::optional<double> factor = unit_factor(input.show, input.unit);
+  require(factor.has_value(), "an input is shown in a unit of its dimension");
+  return *factor;
+}
+
+TableCell number_cell(std::optional<double> value, double factor) {
+  if (!value || !std::isfinite(*value)) return std::monostate();
+  return *value * factor;
+}
+
+TableCell input_cell(const StudyInput& input, const StudyCase& one, std::size_t i) {
+  if (i >= one.words.size()) return std::monostate();
+  if (input.unit.empty()) return one.words[i];
+  return number_cell(one.inputs[i], 1.0 / factor_of(input));
+}
+
+TableCell verdict_cell(const StudyCase& one) {
+  return VerdictCell{one.verdict, word(one.verdict)};
+}
+
+std::vector<TableCell> cells_of(const StudyResults& results, const StudyCase& one, bool seeds) {
+  std::vector<TableCell> cells = {static_cast<double>(one.number), one.folder};
+  for (std::size_t i = 0; i < results.inputs.size(); ++i) cells.push_back(input_cell(results.inputs[i], one, i));
+  if (seeds) cells.push_back(one.seed ? TableCell(static_cast<double>(*one.seed)) : std::monostate());
+  const bool done = one.state == StudyCaseState::done;
+  for (std::size_t i = 0; i < results.outputs.size(); ++i) {
+    const StudyOutput& output = results.outputs[i];
+    if (!done || i >= one.values.size()) {
+      cells.emplace_back(std::monostate());
+    } else if (output.text) {
+      cells.emplace_back(one.texts[i]);
+    } else {
+      cells.push_back(number_cell(one.values[i], shown_output(output).factor));
+    }
+  }
+  cells.push_back(done ? verdict_cell(one) : std::monostate());
+  cells.emplace_back(one.governing);
+  cells.push_back(number_cell(one.utilisation, 1.0));
+  cells.emplace_back(state_word(one));
+  cells.emplace_back(one.reason);
+  cells.emplace_back(one.wall_time);
+  return cells;
+}
+
+std::vector<double> input_column(const StudyResults& results, std::size_t i) {
+  std::vector<double> values;
+  for (const StudyCase& one : results.cases) {
+    values.push_back(i < one.inputs.size() ? one.inputs[i] : std::numeric_limits<double>::quiet_NaN());
+  }
+  return values;
+}
+
+template <class Value, class Take>
+std::vector<Value> column(const StudyResults& results, Take take) {
+  std::vector<Value> values;
+  for (const StudyCase& one : results.cases) values.push_back(take(one));
+  return values;
+}
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// A name that is a link of HDF5: its '/' would be groups.
+std::string link(const std::string& group, std::string name) {
+  std::ranges::replace(name, '/', '_');
+  return group + "/" + name;
+}
+
+void write_inputs(const StudyResults& results, DatasetSink& file, const std::vector<Extent>& shape) {
+  file.group("/inputs", "Keys of the model that change from case to case");
+  for (std::size_t i = 0; i < results.inputs.size(); ++i) {
+    const StudyInput& input = results.inputs[i];
+    const std::string path = link("/inputs", input.key);
+    if (input.unit.empty()) {
+      const auto words = column<std::string>(
+          results, [i](const StudyCase& one) { return i < one.words.size() ? one.words[i] : std::string(); });
+      file.write(path, ResultField{"", "-", "Value of the key"}, words, shape);
+    } else {
+      file.write(path, ResultField{"", input.unit, "Value of the key"}, input_column(results, i), shape);
+    }
+  }
+}
+
+void write_outputs(const StudyResults& results, DatasetSink& file, const std::vector<Extent>& shape) {
+  file.group("/outputs", "Results gathered of every case, by their names in summary.json");
+  for (std::size_t i = 0; i < results.outputs.size(); ++i) {
+    const StudyOutput& output = results.outputs[i];
+    const std::string path = link("/outputs", output.name);
+    if (output.text) {
+      const auto texts = column<std::string>(
+          results, [i](const StudyCase& one) { return i < one.texts.size() ? one.texts[i] : std::string(); });
+      file.write(path, ResultField{"", "-", "Result"}, texts, shape);
+    } else {
+      const auto values = column<double>(
+          results, [i](const StudyCase& one) { return i < one.values.size() ? one.values[i].value_or(kNone) : kNone; });
+      file.write(path, ResultField{"", output.unit, "Result; NaN where the case has none"}, values, shape);
+    }
+  }
+}
+
+void write_cases(const StudyResults& results, DatasetSink& file, const std::vector<Extent>& shape) {
+  file.group("/case", "What became of every case");
+  const auto count = [](const StudyCase& one) { return static_cast<int>(one.number); };
+  file.write("/case/number", ResultField{"", "1", "Number of the case, from 0"}, column<int>(results, count), shape);
+  if (has_seeds(results)) {
+    const auto seed = [](const StudyCase& one) { return one.seed.value_or(0); };
+    file.write("/case/seed", ResultField{"", "1", "Seed of the waves"}, column<std::uint64_t>(results, seed), shape);
+  }
+  const auto passed = [](const StudyCase& one) { return one.passed() ? 1 : 0; };
+  file.write("/case/passed", ResultField{"", "1", "1 where it passes: no governing check exceeded, no serious finding"},
+             column<int>(results, passed), shape);
+  const auto used = [](const StudyCase& one) { return one.utilisation.value_or(kNone); };
+  file.write("/case/utilisation", ResultField{"", "1", "Of the governing check that is used most"},
+             column<double>(results, used), shape);
+  const auto text = [&](const char* path, const char* words, auto take) {
+    file.write(path, ResultField{"", "-", words}, column<std::string>(results, take), shape);
+  };
+  text("/case/governing", "That check", [](const StudyCase& one) { return one.governing; });
+  text("/case/state", "open, done or failed", [](const StudyCase& one) { return std::string(state_word(one)); });
+  text("/case/reason", "Why it failed", [](const StudyCase& one) { return one.reason; });
+  text("/case/folder", "Folder of the case within that of the study", [](const StudyCase& one) { return one.folder; });
+  const auto time = [](const StudyCase& one) { return one.wall_time; };
+  file.write("/case/wall_time", ResultField{"", "s", "Time that it took"}, column<double>(results, time), shape);
+}
+
+/// A row for each group of seeds and each output that is an extreme.
+void write_extremes(const StudyResults& results, DatasetSink& file) {
+  TableWriter table;
+  for (const StudyExtreme& one : results.extremes) {
+    const StudyOutput& output = results.outputs.at(one.output);
+    const StudyEstimate none{kNone, kNone, kNone};
+    const StudyEstimate gumbel = one.enough ? one.gumbel : none, acer = one.acer.value_or(none);
+    table(index_field("Number of the line, from 0"), table.rows());
+    table(ResultField{"group", "1", "Cases that differ in the seed alone, from 0"}, static_cast<int>(one.group));
+    table(ResultField{"result", "1", "Output that it is of"}, output.name);
+    table(ResultField{"units", "1", "SI unit of its values"}, output.unit);
+    table(ResultField{"runs", "1", "Number of seeds"}, one.runs);
+    table(ResultField{"largest", "1", "1: the largest value is looked for; 0: the smallest"}, one.largest);
+    table(ResultField{"mean", kVaries, "Mean of the extremes of the runs"}, one.mean);
+    table(ResultField{"std", kVaries, "Their standard deviation"}, one.std);
+    table(ResultField{"worst", kVaries, "The worst of them"}, one.worst);
+    const char* in_three_hours = "Most probable extreme of three hours, by a Gumbel distribution; NaN: too few runs";
+    table(ResultField{"gumbel", kVaries, in_three_hours}, gumbel.value);
+    table(ResultField{"gumbel_low", kVaries, "Lower end of its 95 % confidence interval"}, gumbel.low);
+    table(ResultField{"gumbel_high", kVaries, "Upper end of its 95 % confidence interval"}, gumbel.high);
+    table(ResultField{"acer", kVaries, "The same by average conditional exceedance rates; NaN: too few peaks"},
+          acer.value);
+    table(ResultField{"acer_low", kVaries, "Lower end of its 95 % confidence interval"}, acer.low);
+    table(ResultField{"acer_high", kVaries, "Upper end of its 95 % confidence interval"}, acer.high);
+    table.end_row();
+  }
+  table.write(file, "/extremes", "Extremes over the seeds");
+}
+
+/// An array over the axes of the chart; NaN where there is no limit.
+void write_operability(const OperabilityResults& results, DatasetSink& file) {
+  file.group("/operability", "Largest " + results.over + " that passes, over the axes of the chart");
+  std::vector<Extent> shape;
+  for (const StudyInput& axis : results.axes) {
+    shape.push_back(axis.words.size());
+    const std::string path = link("/operability", axis.key);
+    if (axis.values.empty()) {
+      file.write(path, ResultField{"", "-", "Values of the axis"}, axis.words, {axis.words.size()});
+    } else {
+      file.write(path, ResultField{"", axis.unit, "Values of the axis"}, axis.values, {axis.values.size()});
+    }
+  }
+  if (shape.empty()) shape.push_back(1);
+  std::vector<double> limits, above;
+  std::vector<std::string> governing;
+  for (const OperabilityCell& cell : results.cells) {
+    limits.push_back(cell.limit.value_or(kNone));
+    above.push_back(cell.above);
+    governing.push_back(cell.governing);
+  }
+  file.write("/operability/limit", ResultField{"", results.unit, "Largest value that passes; NaN: none does"}, limits,
+             shape);
+  file.write("/operability/utilisation_above", ResultField{"", "1", "Utilisation at the next value"}, above, shape);
+  file.write("/operability/governing", ResultField{"", "-", "What is exceeded there"}, governing, shape);
+}
+
+std::string summary_of(const StudyResults& results) {
+  const auto count = [&](StudyCaseState state) { return std::ranges::count(results.cases, state, &StudyCase::state); };
+  Json failed = Json::array();
+  for (const StudyCase& one : results.cases) {
+    if (one.state == StudyCaseState::failed) failed.push_back({{"case", one.number}, {"reason", one.reason}});
+  }
+  const auto passed = std::ranges::count_if(
+      results.cases, [](const StudyCase& one) { return one.state == StudyCaseState::done && one.passed(); });
+  const auto open = count(StudyCaseState::open);
+  Json summary = {{"status", open == 0 ? "completed" : "unfinished"},
+                  {"title", results.title},
+                  {"version", results.version},
+                  {"study",
+                   {{"analysis", results.analysis},
+                    {"cases", results.cases.size()},
+                    {"done", count(StudyCaseState::done)},
+                    {"passed", passed},
+                    {"open", open},
+                    {"failed", failed},
+                    {"wall_time", results.wall_time}}}};
+  if (results.operability) {
+    const auto decided = [](const OperabilityCell& cell) { return cell.decided; };
+    if (!std::ranges::all_of(results.operability->cells, decided)) summary["status"] = "unfinished";
+    summary["operability"] = operability_json(*results.operability);
+  }
+  return summary_text(summary);
+}
+
+}  // namespace
+
+ShownUnit shown_output(const StudyOutput& output) {
+  // Units of results by name are those of base/units.h; those of the table are the files'.
+  static const std::map<std::string, const char*> kOther = {{"N*m", "N m"}, {"N/m^2", "Pa"}, {"m-1", "1/m"}};
+  const auto other = kOther.find(output.unit);
+  return shown_unit(output.name, other == kOther.end() ? std::string_view(output.unit) : other->second);
+}
+
+DataTable study_table(const StudyResults& results) {
+  const bool seeds = has_seeds(results);
+  DataTable table;
+  table.name = "study";
+  table.columns = {{"case", 0}, {"folder"}};
+  for (const StudyInput& input : results.inputs) table.columns.push_back({headed(input.key, input.show)});
+  if (seeds) table.columns.push_back({"seed", 0});
+  for (const StudyOutput& output : results.outputs) {
+    const ShownUnit unit = output.text ? ShownUnit{} : shown_output(output);
+    table.columns.push_back({headed(output.name, unit.name), unit.digits});
+  }
+  for (const char* heading : {"checks", "governing check", "utilisation", "state", "reason", "wall time [s]"}) {
+    table.columns.push_back({heading});
+  }
+  for (const StudyCase& one : results.cases) table.rows.push_back(cells_of(results, one, seeds));
+  return table;
+}
+
+void write_study_groups(DatasetSink& file, const StudyResults& results) {
+  file.attribute("/", "title", results.title);
+  file.attribute("/", "version", results.version);
+  file.attribute("/", "analysis", results.analysis);
+  if (!results.cases.empty() || !results.operability) {
+    const std::vector<Extent> shape = {results.cases.size()};
+    write_cases(results, file, shape);
+    write_inputs(results, file, shape);
+    write_outputs(results, file, shape);
+  }
+  write_extremes(results, file);
+  if (results.operability) write_operability(*results.operability, file);
+}
+
+void write_study_hdf5(const StudyResults& results, const fs::path& file) {
+  Hdf5Writer writer(file);
+  write_study_groups(writer, results);
+  writer.close();
+}
+
+void write_study_files(const StudyResults& results, const fs::path& folder) {
+  const DataTable table = study_table(results);
+  replace_file(folder / "study.csv", csv_text(table));
+  std::vector<DataTable> sheets = {table};
+  if (results.operability) {
+    sheets = {operability_table(*results.operability), workability_table(*results.operability)};
+    replace_file(folder / "operability.csv", csv_text(sheets.front()));
+    if (!results.cases.empty()) sheets.push_back(table);
+  }
+  write_xlsx(sheets, folder / "study.xlsx");
+  const fs::path h5 = folder / "study.h5", beside = folder / "study.h5.part";
+  write_study_hdf5(results, beside);
+  fs::rename(beside, h5);
+  replace_file(folder / "summary.json", summary_of(results));
+}
+
+}  // namespace overbend

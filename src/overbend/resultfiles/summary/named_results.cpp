@@ -1,0 +1,150 @@
+#include "resultfiles/summary/named_results.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/name_parts.h"
+#include "resultfiles/summary/named_dynamics.h"
+#include "resultfiles/summary/result_units.h"
+
+namespace overbend {
+namespace {
+
+constexpr std::array<std::pair<const char*, ResultFunction>, 4> kFunctions = {{{"spread", ResultFunction::spread},
+                                                                               {"mean", ResultFunction::mean},
+                                                                               {"min", ResultFunction::least},
+                                                                               {"max", ResultFunction::largest}}};
+
+bool is_meant(const Json& item, std::size_t index, const std::string& text) {
+  const auto name = item.is_object() ? item.find("name") : item.end();
+  const std::string own = item.is_object() && name != item.end() && name->is_string() ? name->get<std::string>() : "";
+  return chooses_item(text, index, own);
+}
+
+void gather(const Json& at, const std::vector<NamePart>& parts, std::size_t next, std::vector<double>& values) {
+  if (next == parts.size()) {
+    if (at.is_number()) values.push_back(at.get<double>());
+    return;
+  }
+  const NamePart& part = parts[next];
+  if (part.item && at.is_array()) {
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (is_meant(at[i], i, part.text)) gather(at[i], parts, next + 1, values);
+    }
+  } else if (!part.item && at.is_object()) {
+    const auto found = at.find(part.text);
+    if (found != at.end()) gather(*found, parts, next + 1, values);
+  }
+}
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double spread_of(const std::vector<double>& values) {
+  const double mean = mean_of(values);
+  double sum = 0.0;
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+double apply(ResultFunction function, const std::vector<double>& values) {
+  switch (function) {
+    case ResultFunction::spread:
+      return spread_of(values);
+    case ResultFunction::mean:
+      return mean_of(values);
+    case ResultFunction::least:
+      return *std::min_element(values.begin(), values.end());
+    case ResultFunction::largest:
+      return *std::max_element(values.begin(), values.end());
+    case ResultFunction::none:
+      break;
+  }
+  return values.front();
+}
+
+/// The place of the path in the table of units; null where there is none.
+const Json* unit_at(const Json& table, const std::vector<NamePart>& parts) {
+  const Json* at = &table;
+  for (const NamePart& part : parts) {
+    if (part.item != at->is_array() || (part.item && at->empty())) return nullptr;
+    if (part.item) {
+      at = &at->front();
+      continue;
+    }
+    const auto found = at->find(part.text);
+    if (found == at->end()) return nullptr;
+    at = &*found;
+  }
+  return at->is_string() ? at : nullptr;
+}
+
+void list_paths(const Json& at, const std::string& path, std::vector<std::string>& paths) {
+  if (at.is_string()) paths.push_back(path);
+  if (at.is_array() && !at.empty()) list_paths(at.front(), path + "[]", paths);
+  if (!at.is_object()) return;
+  for (const auto& [key, below] : at.items()) {
+    std::string deeper = path.empty() ? "" : path + ".";
+    list_paths(below, deeper.append(key), paths);
+  }
+}
+
+std::optional<std::string> unit_of(const Json& units, const std::string& name) {
+  const auto parts = name_parts(parsed_result_name(name).path);
+  const Json* unit = parts ? unit_at(units, *parts) : nullptr;
+  if (unit == nullptr) return std::nullopt;
+  return unit->get<std::string>();
+}
+
+std::vector<std::string> paths_of(const Json& units) {
+  std::vector<std::string> paths;
+  list_paths(units, "", paths);
+  return paths;
+}
+
+}  // namespace
+
+ResultName parsed_result_name(const std::string& name) {
+  for (const auto& [word, function] : kFunctions) {
+    const std::string head = std::string(word) + "(";
+    if (name.starts_with(head) && name.ends_with(')')) {
+      return {function, name.substr(head.size(), name.size() - head.size() - 1)};
+    }
+  }
+  return {ResultFunction::none, name};
+}
+
+std::vector<double> named_values(const Json& summary, const std::string& path) {
+  std::vector<double> values;
+  if (const auto parts = name_parts(path)) gather(summary, *parts, 0, values);
+  return values;
+}
+
+std::optional<double> named_result(const Json& summary, const std::string& name) {
+  const ResultName parsed = parsed_result_name(name);
+  const std::vector<double> values = named_values(summary, parsed.path);
+  if (values.empty() || (parsed.function == ResultFunction::none && values.size() > 1)) return std::nullopt;
+  return apply(parsed.function, values);
+}
+
+std::optional<std::string> result_unit(const std::string& name) {
+  return unit_of(summary_units(), name);
+}
+
+std::vector<std::string> result_paths() {
+  return paths_of(summary_units());
+}
+
+std::optional<std::string> dynamic_result_unit(const std::string& name) {
+  return unit_of(dynamic_summary_units(), name);
+}
+
+std::vector<std::string> dynamic_result_paths() {
+  return paths_of(dynamic_summary_units());
+}
+
+}  // namespace overbend

@@ -1,0 +1,152 @@
+#include "resultfiles/summary/study_outputs.h"
+
+#include <array>
+
+#include "base/text.h"
+#include "resultfiles/summary/named_dynamics.h"
+#include "resultfiles/summary/named_results.h"
+#include "resultfiles/summary/result_units.h"
+
+namespace overbend {
+namespace {
+
+constexpr const char* kStages = "operation.stages";
+
+/// Of a dynamic analysis the checks are those of the whole run, not of the statics before it.
+std::string own_path(StudyAnalysis analysis, const std::string& path) {
+  return analysis == StudyAnalysis::dynamic && path.starts_with("checks.") ? "dynamic." + path : path;
+}
+
+bool is_smallest(const std::string& path) {
+  const std::string last = path.substr(path.find_last_of('.') + 1);
+  return last.starts_with("smallest") || last.starts_with("min");
+}
+
+/// "operation.stages[3].sagbend.max_strain" -> "static.sagbend.max_strain": every stage has the keys of a lay.
+std::string stage_path(const std::string& path) {
+  const std::size_t point = path.find("].");
+  if (!path.starts_with(kStages) || point == std::string::npos) return path;
+  const std::string below = path.substr(point + 2);
+  return below.starts_with("checks.") ? below : "static." + below;
+}
+
+/// Unit of what a stage has besides the keys of a lay: "operation.stages[3].barge_ahead".
+std::optional<std::string> own_unit_of_stage(const std::string& path) {
+  const std::size_t point = path.find("].");
+  if (!path.starts_with(kStages) || point == std::string::npos) return std::nullopt;
+  const auto unit = stage_units().find(path.substr(point + 2));
+  if (unit == stage_units().end() || !unit->is_string()) return std::nullopt;
+  return unit->get<std::string>();
+}
+
+std::string with_function(const ResultName& name, const std::string& path) {
+  switch (name.function) {
+    case ResultFunction::none:
+      break;
+    case ResultFunction::spread:
+      return "spread(" + path + ")";
+    case ResultFunction::mean:
+      return "mean(" + path + ")";
+    case ResultFunction::least:
+      return "min(" + path + ")";
+    case ResultFunction::largest:
+      return "max(" + path + ")";
+  }
+  return path;
+}
+
+std::optional<std::string> unit_of(StudyAnalysis analysis, const std::string& name) {
+  return analysis == StudyAnalysis::dynamic ? dynamic_result_unit(name) : result_unit(name);
+}
+
+std::vector<std::string> usual_outputs_of_hull(StudyAnalysis analysis) {
+  if (analysis == StudyAnalysis::dynamic) {
+    return {"dynamic.vessel.offset",
+            "dynamic.vessel.roll",
+            "dynamic.vessel.pitch",
+            "max(dynamic.moorings[*].fairlead_tension.max)",
+            "min(dynamic.moorings[*].fairlead_tension.min)",
+            "max(dynamic.moorings[*].utilisation)"};
+  }
+  std::vector<std::string> names = {"static.vessel.surge",
+                                    "static.vessel.sway",
+                                    "static.vessel.yaw",
+                                    "max(static.moorings[*].fairlead_tension)",
+                                    "min(static.moorings[*].fairlead_tension)",
+                                    "max(static.moorings[*].utilisation)"};
+  if (analysis == StudyAnalysis::seek) names.insert(names.begin(), "seek.answer");
+  return names;
+}
+
+constexpr std::array kOfSeek = {"seek.answer", "seek.slope", "seek.residual", "seek.evaluations"};
+
+/// Of the first condition by the key: as in the summary.
+std::string slope_unit(const SeekDescription& seek) {
+  const std::string key = seek.vary.front().unit;
+  std::string result = seek.until.empty() ? result_unit(seek.minimise).value_or("1") : seek.until.front().unit;
+  if (key == "1") return result;
+  if (key == result) return "1";
+  return result + "/" + (key.find_first_of("/*-") == std::string::npos ? key : "(" + key + ")");
+}
+
+/// What a goal seek tells of itself.
+std::optional<StudyOutput> seek_output(const std::string& name, const std::optional<SeekDescription>& seek) {
+  const bool one = seek && seek->vary.size() == 1;
+  if (name == "seek.answer") return StudyOutput{name, one ? seek->vary.front().unit : "1", false};
+  if (name == "seek.slope" && one) return StudyOutput{name, slope_unit(*seek), false};
+  if (name == "seek.residual" || name == "seek.evaluations") return StudyOutput{name, "1", false};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<StudyOutput> study_output(StudyAnalysis analysis, const std::string& name,
+                                        const std::optional<SeekDescription>& seek) {
+  if (name == "checks.governing") return StudyOutput{name, "", true};
+  if (analysis == StudyAnalysis::seek && name.starts_with("seek.")) return seek_output(name, seek);
+  const ResultName parsed = parsed_result_name(name);
+  std::string path = own_path(analysis, parsed.path);
+  if (analysis == StudyAnalysis::operation) {
+    if (const auto unit = own_unit_of_stage(path)) return StudyOutput{name, *unit, false};
+    path = stage_path(path);
+  }
+  for (const char* ending : {"", ".max"}) {
+    if (const auto unit = unit_of(analysis, with_function(parsed, path + ending))) {
+      return StudyOutput{name, *unit, false};
+    }
+  }
+  return std::nullopt;
+}
+
+std::string nearest_output(StudyAnalysis analysis, const std::string& name) {
+  std::vector<std::string> paths = analysis == StudyAnalysis::dynamic ? dynamic_result_paths() : result_paths();
+  if (analysis == StudyAnalysis::seek) paths.insert(paths.end(), kOfSeek.begin(), kOfSeek.end());
+  return nearest_word(parsed_result_name(name).path, paths);
+}
+
+std::vector<std::string> usual_outputs(StudyAnalysis analysis, bool pipe) {
+  if (!pipe) return usual_outputs_of_hull(analysis);
+  if (analysis == StudyAnalysis::dynamic) {
+    return {"dynamic.top_tension.min",        "dynamic.top_tension.max",       "dynamic.smallest_tension",
+            "dynamic.overbend.max_von_mises", "dynamic.sagbend.max_von_mises", "checks.governing"};
+  }
+  std::vector<std::string> names = {"static.top_tension",
+                                    "static.bottom_tension",
+                                    "static.lay_back",
+                                    "static.overbend.max_von_mises",
+                                    "static.sagbend.max_von_mises",
+                                    "static.largest_reaction.value",
+                                    "static.stinger_tip_clearance",
+                                    "checks.governing"};
+  if (analysis == StudyAnalysis::seek) names.insert(names.begin(), "seek.answer");
+  return names;
+}
+
+std::optional<double> output_value(const Json& summary, StudyAnalysis analysis, const std::string& name) {
+  const ResultName parsed = parsed_result_name(name);
+  const std::string path = own_path(analysis, parsed.path);
+  if (const auto value = named_result(summary, with_function(parsed, path))) return value;
+  return named_result(summary, with_function(parsed, path + (is_smallest(path) ? ".min" : ".max")));
+}
+
+}  // namespace overbend

@@ -1,0 +1,39 @@
+#include "resultfiles/summary/summary_json.h"
+
+#include "resultfiles/summary/summary_fields.h"
+#include "results/verdict.h"
+
+namespace overbend {
+
+Json static_summary_json(const StaticResults& r) {
+  const SummaryStyle style;
+  Json sections = Json::array();
+  for (const DerivedSection& section : r.sections) {
+    sections.push_back(object_of(style, [&](auto& one) { visit_section(section, one); }));
+  }
+  JsonWriter json(style);
+  json["status"] = "converged";
+  visit_heading(r, json);
+  json["units"] = "SI: m, N, Pa, rad, s; angles from horizontal";
+  json["frame"] = kWorldFrame;
+  json["derived"] = sections.empty() ? Json::object() : sections.front();
+  json["sections"] = sections;
+  json["verdict"] = verdict_json(make_verdict(r.checks, r.findings));
+  json["checks"] = summary_checks(style, r.checks);
+  json["static"] = static_part(style, r);
+  Json summary = json.take();
+  if (r.moorings) add_moorings(*r.moorings, summary);
+  if (r.hull) add_hull(*r.hull, summary);
+  return summary;
+}
+
+std::string summary_text(const Json& summary) {
+  // A title may hold bytes that are no UTF-8; they become the replacement character.
+  return json_text(summary, 2) + "\n";
+}
+
+std::string static_summary(const StaticResults& results) {
+  return summary_text(static_summary_json(results));
+}
+
+}  // namespace overbend

@@ -1,0 +1,49 @@
+#include "serve/answers/static_json.h"
+
+#include <cmath>
+
+#include "serve/answers/page_fields.h"
+#include "serve/answers/page_style.h"
+
+namespace overbend {
+namespace {
+
+/// Of a place or a direction: what rounding leaves of a zero is zero.
+double visible(double value) {
+  return std::abs(value) < 1e-9 ? 0.0 : seven_digits(value);
+}
+
+}  // namespace
+
+Json place_json(const Vec3& p_W) {
+  return {visible(p_W.x()), visible(p_W.y()), visible(p_W.z())};
+}
+
+Json pose_json(const Vec3& p_WV, const Mat3& R_WV) {
+  Json pose = place_json(p_WV);
+  for (int i = 0; i < 9; ++i) pose.push_back(visible(R_WV(i / 3, i % 3)));
+  return pose;
+}
+
+Json static_json(const StaticResults& results, const std::vector<std::string>* lists) {
+  PageStyle style;
+  if (!results.stations.empty()) style.top = results.stations.back().s;
+  return page_statics(style, results, lists);
+}
+
+Json static_json(const MooringResults& results) {
+  StaticResults without_pipe;
+  without_pipe.findings = results.findings;
+  without_pipe.checks = results.checks;
+  without_pipe.moorings = results;
+  return page_statics(PageStyle{}, without_pipe, nullptr);
+}
+
+Json static_json(const LinesResults& results) {
+  StaticResults without_pipe;
+  without_pipe.findings = results.findings;
+  without_pipe.checks = results.checks;
+  return page_statics(PageStyle{}, without_pipe, nullptr, results.lines);
+}
+
+}  // namespace overbend

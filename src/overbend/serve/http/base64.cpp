@@ -1,0 +1,37 @@
+#include "serve/http/base64.h"
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace overbend {
+namespace {
+
+std::vector<std::uint8_t> little_endian(std::span<const float> numbers) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(4 * numbers.size() + 2);
+  for (const float number : numbers) {
+    const auto bits = std::bit_cast<std::uint32_t>(number);
+    for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+std::string base64_floats(std::span<const float> numbers) {
+  constexpr const char* kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::vector<std::uint8_t> bytes = little_endian(numbers);
+  const std::size_t padding = (3 - bytes.size() % 3) % 3;
+  bytes.resize(bytes.size() + padding);
+  std::string text;
+  text.reserve(bytes.size() / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const unsigned group = bytes[i] * 65536U + bytes[i + 1] * 256U + bytes[i + 2];
+    for (const unsigned shift : {18U, 12U, 6U, 0U}) text += kLetters[(group >> shift) & 63U];
+  }
+  for (std::size_t i = 0; i < padding; ++i) text[text.size() - 1 - i] = '=';
+  return text;
+}
+
+}  // namespace overbend

@@ -1,0 +1,145 @@
+#include "serve/model/lay_table_routes.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "base/interruption.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "report/studies/lay_table_data.h"
+#include "resultfiles/studies/lay_table_writer.h"
+#include "resultfiles/tables/xlsx_table.h"
+#include "results/fields/lay_table_fields.h"
+#include "runstore/append_file.h"
+#include "serve/model/diagnose.h"
+#include "study/lay_table/lay_table.h"
+#include "study/lay_table/lay_table_range.h"
+
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+
+LayTableVary vary_of(const Json& request) {
+  LayTableVary vary = LayTableVary::tension;
+  const auto word = request.find("vary");
+  if (word == request.end()) return vary;
+  if (!word->is_string() || !from_word(word->get<std::string>(), vary)) {
+    throw HttpFault(400, "'vary' is one of tension, lay_back, depth");
+  }
+  return vary;
+}
+
+/// What the request asks for; the model's own where it says nothing.
+LayTableDescription asked(const Description& description, const Json& request) {
+  LayTableDescription table = description.lay_table.value_or(LayTableDescription{});
+  const LayTableVary vary = vary_of(request);  // a faulty word is refused also where it is not needed
+  const auto range = request.find("range");
+  if (range == request.end()) return table;
+  if (!range->is_string()) throw HttpFault(400, "'range' is a text such as '200 kN..400 kN/20'");
+  try {
+    take_range(vary, range->get<std::string>(), table);
+  } catch (const std::invalid_argument& fault) {
+    throw HttpFault(422, fault.what());
+  }
+  return table;
+}
+
+Json cell_json(const TableCell& cell) {
+  if (const auto* number = std::get_if<double>(&cell)) return *number;
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* verdict = std::get_if<VerdictCell>(&cell)) return verdict->text;
+  return nullptr;
+}
+
+Json table_json(const LayTable& table) {
+  const DataTable data = lay_table_data(table);
+  Json columns = Json::array(), rows = Json::array();
+  for (const TableColumn& column : data.columns) {
+    columns.push_back({{"heading", column.heading}, {"digits", column.digits}});
+  }
+  for (std::size_t i = 0; i < data.rows.size(); ++i) {
+    Json cells = Json::array();
+    for (const TableCell& cell : data.rows[i]) cells.push_back(cell_json(cell));
+    rows.push_back({{"kind", word(table.rows[i].kind)}, {"verdict", lay_verdict(table.rows[i])}, {"cells", cells}});
+  }
+  return {{"status", "ok"},
+          {"columns", columns},
+          {"rows", rows},
+          {"curves", lay_table_curves(table)},
+          {"findings", findings_json(table.findings)},
+          {"wall_time", table.wall_time}};
+}
+
+/// A file of its own that goes with its folder.
+class ScratchFile {
+ public:
+  ScratchFile() {
+    std::string pattern = (fs::temp_directory_path() / "overbend-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw FileFault("no temporary folder can be made");
+    folder_ = pattern;
+  }
+  ~ScratchFile() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  fs::path path() const { return folder_ / "lay-table.xlsx"; }
+
+ private:
+  fs::path folder_;
+};
+
+}  // namespace
+
+Json LayTables::make(const ModelText& model, const Json& request) {
+  const ModelReading reading = read_model_text(model.text, model.path);
+  if (!reading.description) {
+    return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading, model.text)}};
+  }
+  if (!reading.description->has_pipe) throw HttpFault(422, "a lay table needs a model with a pipe");
+  const LayTableDescription wanted = asked(*reading.description, request);
+  const std::uint64_t mine = ++asked_;
+  const std::lock_guard one_at_a_time(work_);
+  const InterruptionScope scope([&] { return asked_ != mine; });
+  std::shared_ptr<const LayTable> table;
+  try {
+    table = std::make_shared<const LayTable>(make_lay_table(*reading.description, wanted));
+  } catch (const Interrupted&) {
+    if (asked_ == mine) throw;
+    throw HttpFault(409, "another lay table has been asked for since");
+  }
+  const std::lock_guard lock(mutex_);
+  last_ = table;
+  return table_json(*table);
+}
+
+std::shared_ptr<const LayTable> LayTables::last() const {
+  const std::lock_guard lock(mutex_);
+  if (!last_) throw HttpFault(404, "no lay table has been made yet");
+  return last_;
+}
+
+HttpAnswer LayTables::csv() const {
+  return {200, "text/csv; charset=utf-8", csv_text(lay_table_data(*last())), "lay-table.csv"};
+}
+
+HttpAnswer LayTables::xlsx() const {
+  const ScratchFile scratch;
+  write_xlsx({lay_table_data(*last())}, scratch.path());
+  std::ifstream file(scratch.path(), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  return {200, "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet", bytes, "lay-table.xlsx"};
+}
+
+void add_lay_table_routes(std::vector<HttpRoute>& routes, OpenModel& model, LayTables& tables) {
+  routes.push_back({"POST", "/api/lay-table",
+                    [&](const HttpRequest& request) { return json_answer(tables.make(model.now(), request.json())); },
+                    kLongLimit});
+  routes.push_back({"GET", "/api/lay-table.csv", [&](const HttpRequest&) { return tables.csv(); }});
+  routes.push_back({"GET", "/api/lay-table.xlsx", [&](const HttpRequest&) { return tables.xlsx(); }});
+}
+
+}  // namespace overbend

@@ -1,0 +1,118 @@
+#include "serve/runs/run_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modelfile/reading/yaml_reader.h"
+#include "resultfiles/dynamic/dynamic_reader.h"
+#include "resultfiles/lines/lines_reader.h"
+#include "serve/answers/page_fields.h"
+#include "serve/answers/page_style.h"
+
+namespace overbend {
+namespace {
+
+/// The static state as envelopes that nothing has moved yet.
+DynamicResults still(const StaticResults& statics) {
+  DynamicResults r;
+  for (const Station& at : statics.stations) {
+    r.station_s.push_back(at.s);
+    r.static_place.push_back(at.p_W);
+    r.static_tension.push_back(at.effective_tension);
+    r.static_moment.push_back(at.bending_moment);
+    r.static_bending_stress.push_back(at.bending_stress);
+    r.static_von_mises.push_back(at.von_mises);
+    r.static_strain.push_back(at.strain);
+  }
+  return r;
+}
+
+/// Whether the file is that of a lay: its table lies beside it.
+bool has_pipe(const std::filesystem::path& h5) {
+  return std::filesystem::exists(h5.parent_path() / "pipe.csv");
+}
+
+Json envelopes(const DynamicResults& r, bool over_time) {
+  PageStyle style;
+  if (!r.station_s.empty()) style.top = r.station_s.back();
+  return page_envelopes(style, r, over_time);
+}
+
+}  // namespace
+
+Json series_json(std::span<const double> time, std::span<const double> values, const SeriesWindow& window) {
+  const std::size_t rows = std::min(time.size(), values.size());
+  time = time.first(rows);
+  const auto begin = static_cast<std::size_t>(std::ranges::lower_bound(time, window.from) - time.begin());
+  const auto end = static_cast<std::size_t>(std::ranges::upper_bound(time, window.to) - time.begin());
+  const std::size_t count = end > begin ? end - begin : 0;
+  const std::size_t points = std::min(std::max<std::size_t>(window.points, 1), count);
+  Json t = Json::array(), low = Json::array(), high = Json::array();
+  for (std::size_t i = 0; i < points; ++i) {
+    const std::size_t first = begin + i * count / points, last = begin + (i + 1) * count / points;
+    const auto [least, greatest] = std::ranges::minmax(values.subspan(first, last - first));
+    t.push_back(seven_digits(time[first]));
+    low.push_back(seven_digits(least));
+    high.push_back(seven_digits(greatest));
+  }
+  return {{"t", t}, {"min", low}, {"max", high}};
+}
+
+Json columns_json(const std::vector<HistoryColumn>& columns) {
+  Json list = Json::array();
+  for (const HistoryColumn& column : columns) {
+    if (column.name == "time") continue;
+    list.push_back({{"name", column.name}, {"unit", column.units}, {"text", column.description}});
+  }
+  return list;
+}
+
+Json envelopes_json(const std::filesystem::path& h5) {
+  if (!has_pipe(h5)) return envelopes({}, false);
+  return has_dynamic(h5) ? envelopes(read_dynamic_results(h5).results, true)
+                         : envelopes(still(read_static_results(h5).results), false);
+}
+
+Json run_statics_json(const std::filesystem::path& h5) {
+  Json answer = {{"status", "converged"}};
+  if (has_pipe(h5)) {
+    answer.update(
+        static_json(has_dynamic(h5) ? read_dynamic_results(h5).statics.results : read_static_results(h5).results));
+  } else {
+    answer.update(has_lines(h5) ? static_json(read_lines_results(h5).results)
+                                : static_json(read_mooring_results(h5).results));
+  }
+  return answer;
+}
+
+Json run_scene_json(const std::filesystem::path& h5, const std::string& file) {
+  std::string text;
+  std::optional<std::uint64_t> seed;
+  if (!has_pipe(h5)) {
+    text = has_lines(h5) ? read_lines_results(h5).model_text : read_mooring_results(h5).model_text;
+  } else if (has_dynamic(h5)) {
+    StoredDynamics stored = read_dynamic_results(h5);
+    text = std::move(stored.statics.model_text);
+    seed = stored.results.seed;
+  } else {
+    text = read_static_results(h5).model_text;
+  }
+  std::optional<Description> description = read_model_text(text, file).description;
+  if (!description) {  // a file that it mentions may have gone
+    Diagnostics faults;
+    const std::optional<YamlNode> root = parse_yaml(text, file, faults);
+    if (root) description = read_still_model(*root, file).description;
+  }
+  if (!description) throw HttpFault(422, "the model of the run can no longer be read");
+  return scene_json(build_model(*description), seed);
+}
+
+Json impacts_json(const std::filesystem::path& h5) {
+  DynamicResults r;
+  if (has_dynamic(h5)) r = read_dynamic_results(h5).results;
+  const PageStyle style;
+  return {{"total", r.impact_count},
+          {"impacts", style.rows(r.hardest_impacts, [&](const Impact& hit) { return page_impact(style, r, hit); })}};
+}
+
+}  // namespace overbend

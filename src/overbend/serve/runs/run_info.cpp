@@ -1,0 +1,190 @@
+#include "serve/runs/run_info.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "report/page/json_number.h"
+#include "runstore/run_store.h"
+#include "runstore/staged_folder.h"
+#include "study/seeds/compare_variants.h"
+#include "study/seeds/study.h"
+
+namespace overbend {
+namespace fs = std::filesystem;
+namespace {
+
+double modified(const fs::path& file) {
+  std::error_code fault;
+  const auto time = std::chrono::file_clock::to_sys(fs::last_write_time(file, fault));
+  return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count());
+}
+
+/// Results beside a checkpoint are those of a cancelled run.
+bool cancelled_on_the_way(const RunInfo& run, const fs::path& folder) {
+  std::error_code fault;
+  return run.state == RunState::cancelled && fs::exists(folder / ".run", fault);
+}
+
+/// A record of an older program, or of none, does not say of what the study is.
+void learn(RunInfo& run, const Json& summary) {
+  run.title = summary.value("title", "");
+  run.kind = summary.contains("comparison") ? "comparison"
+             : summary.contains("seeds")    ? "seeds"
+             : summary.contains("dynamic")  ? "dynamic"
+                                            : "static";
+  if (run.kind == "comparison") run.of = summary["comparison"].value("of", "");
+  if (run.kind != "seeds" || !run.seeds.empty()) return;
+  for (const char* list : {"runs", "failed"}) {
+    for (const Json& seed : summary["seeds"][list]) run.seeds.push_back(seed["seed"].get<std::uint64_t>());
+  }
+}
+
+std::optional<RunInfo> find_run(const fs::path& folder) {
+  std::error_code none;
+  const fs::path compared = folder / "comparison.json";
+  const fs::path gathered = folder / kStudyFolder / "summary.json";
+  const fs::path summary_file = fs::exists(compared, none)   ? compared
+                                : fs::exists(gathered, none) ? gathered
+                                                             : folder / "summary.json";
+  const std::optional<RunRecord> record = read_record(folder);
+  const Json summary = read_json_file(summary_file);
+  if (!record && !summary.is_object()) return std::nullopt;
+  RunInfo run;
+  run.id = folder.filename().string();
+  if (record) static_cast<RunRecord&>(run) = *record;
+  if (summary.is_object()) {
+    if (!run.is_matrix()) learn(run, summary);
+    run.has_results = true;
+    if (!cancelled_on_the_way(run, folder)) {
+      run.state = RunState::done;
+      run.progress = 1.0;
+    }
+    if (run.started == 0.0) run.started = modified(summary_file);
+  } else if (!run.ended()) {
+    run.state = RunState::cancelled;
+    run.message = "the program ended before the run started";
+  }
+  run.resumable = run.state != RunState::done && can_be_resumed(run, folder.parent_path());
+  return run;
+}
+
+/// The cases as their own folders say how they stand.
+std::vector<RunInfo> find_cases(const RunInfo& study, const fs::path& runs) {
+  std::vector<RunInfo> cases = cases_of(study);
+  for (RunInfo& one : cases) {
+    one.state = RunState::cancelled;
+    std::optional<RunInfo> found = find_run(folder_of(one, runs));
+    if (!found) continue;
+    found->id = one.id;
+    found->parent = one.parent;
+    found->title = one.title;
+    found->model_path = one.model_path;
+    found->started = one.started;
+    found->resumable = false;  // the study is
+    one = std::move(*found);
+  }
+  return cases;
+}
+
+bool has_checkpoint(const fs::path& folder) {
+  const std::optional<StoredRun> stored = RunStore::find(folder);
+  return stored && stored->fault.empty();
+}
+
+}  // namespace
+
+std::vector<RunInfo> cases_of(const RunInfo& study) {
+  std::vector<Case> cases;
+  if (study.kind == "seeds") cases = seed_cases(study.seeds);
+  if (study.kind == "comparison") {
+    cases = variants_of(from_word<ComparisonOf>(study.of).value_or(ComparisonOf::tensioner));
+  }
+  std::vector<RunInfo> list;
+  for (const Case& one : cases) {
+    RunInfo run;
+    run.id = study.id + "~" + one.name;
+    run.parent = study.id;
+    run.kind = "dynamic";
+    run.title = one.words;
+    run.model_path = study.model_path;
+    run.started = study.started;
+    list.push_back(std::move(run));
+  }
+  return list;
+}
+
+fs::path folder_of(const RunInfo& run, const fs::path& runs) {
+  return run.parent.empty() ? runs / run.id : runs / run.parent / run.id.substr(run.parent.size() + 1);
+}
+
+Json run_json(const RunInfo& run) {
+  Json json = {{"id", run.id},
+               {"parent", run.parent},
+               {"title", run.title},
+               {"kind", run.kind},
+               {"of", run.of},
+               {"state", word(run.state)},
+               {"progress", seven_digits(run.progress)},
+               {"started", run.started},
+               {"message", run.message},
+               {"name", run.name},
+               {"note", run.note},
+               {"changed", run.changed},
+               {"has_results", run.has_results},
+               {"resumable", run.resumable}};
+  if (run.now) {
+    json["time"] = seven_digits(run.now->time);
+    json["end"] = seven_digits(run.now->end);
+    json["top_tension"] = seven_digits(run.now->top_tension);
+    json["worst_stress"] = seven_digits(run.now->worst_stress);
+  }
+  return json;
+}
+
+bool can_be_resumed(const RunInfo& run, const fs::path& runs) {
+  std::error_code ignored;
+  if (!fs::exists(folder_of(run, runs) / kModelCopy, ignored)) return false;
+  if (run.is_matrix()) return fs::exists(folder_of(run, runs) / kStudyFolder, ignored);
+  if (!run.is_study()) return has_checkpoint(folder_of(run, runs));
+  return std::ranges::any_of(cases_of(run), [&](const RunInfo& one) {
+    const fs::path folder = folder_of(one, runs);
+    const std::optional<RunRecord> record = read_record(folder);
+    return has_checkpoint(folder) || (record && !record->input.empty());
+  });
+}
+
+double seconds_since_1970() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(now).count());
+}
+
+void keep_record(const RunInfo& run, const fs::path& folder) {
+  change_record(folder, [&](RunRecord& record) {
+    const std::string input = std::move(record.input), program = std::move(record.program);
+    const RunRecord& now = run;
+    record = now;
+    record.input = input;
+    record.program = program;
+  });
+}
+
+std::vector<RunInfo> find_runs(const fs::path& folder) {
+  std::vector<RunInfo> runs;
+  std::error_code fault;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, fault)) {
+    if (!entry.is_directory(fault)) continue;
+    clear_leftovers(entry.path());  // of a program that was killed: nobody writes into an old run again
+    try {
+      const std::optional<RunInfo> run = find_run(entry.path());
+      if (!run) continue;
+      const std::vector<RunInfo> cases = find_cases(*run, folder);
+      runs.push_back(*run);
+      runs.insert(runs.end(), cases.begin(), cases.end());
+    } catch (const std::exception&) {
+      continue;  // a file that only looks like ours
+    }
+  }
+  return runs;
+}
+
+}  // namespace overbend

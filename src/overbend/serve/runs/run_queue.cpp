@@ -1,0 +1,282 @@
+#include "serve/runs/run_queue.h"
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+
+#include "modelfile/yaml/model_differences.h"
+#include "resultfiles/static/results_writer.h"
+#include "runstore/append_file.h"
+
+namespace overbend {
+namespace fs = std::filesystem;
+namespace {
+
+/// "20261121-134500-dynamic"
+std::string name_of(const std::string& kind, int attempt) {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S-", &local);
+  return text.data() + kind + (attempt > 1 ? "-" + std::to_string(attempt) : "");
+}
+
+/// Empty where there is no such file.
+std::string file_text(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// Makes a folder for a new run and returns its name.
+std::string make_folder(const fs::path& folder, const std::string& kind) {
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  for (int attempt = 1; !fault && attempt < 1000; ++attempt) {
+    std::string name = name_of(kind, attempt);
+    if (fs::create_directory(folder / name, fault)) return name;
+  }
+  throw HttpFault(422, "the folder '" + folder.string() + "' cannot be written: " + fault.message());
+}
+
+/// "tensioner.tension 255 kN, vessel.trim 1 deg and 3 more keys"; empty where the texts say the same.
+std::string changes_in_words(const std::string& before, const std::string& text) {
+  constexpr std::size_t kShown = 2;
+  const std::vector<DifferingKey> keys = differing_keys(std::array{before, text});
+  std::string words;
+  for (std::size_t i = 0; i < std::min(kShown, keys.size()); ++i) {
+    const std::string& value = keys[i].values[1];
+    words += (i ? ", " : "") + keys[i].key + (value.empty() ? " removed" : " " + value);
+  }
+  const std::size_t more = keys.size() - std::min(kShown, keys.size());
+  return more == 0 ? words : words + " and " + std::to_string(more) + (more == 1 ? " more key" : " more keys");
+}
+
+}  // namespace
+
+RunQueue::RunQueue(fs::path folder, EventHub& events)
+    : folder_(std::move(folder)), events_(events), runs_(find_runs(folder_)), worker_([this] { work(); }) {}
+
+RunQueue::~RunQueue() {
+  try {
+    close();
+  } catch (
+      const std::exception&) {  // a record that cannot be written stays as it was: the run is then found as waiting
+  }
+}
+
+void RunQueue::close() {
+  std::vector<std::string> left;
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    closing_ = true;
+    stop_ = true;
+    for (const Job& job : waiting_) left.push_back(job.run.id);
+    waiting_.clear();
+  }
+  changed_.notify_all();
+  worker_.join();
+  for (const std::string& id : left) end(id, RunState::cancelled, "the program ended before the run started");
+}
+
+RunInfo RunQueue::add(const ModelText& model, const RunRecord& order, const std::string& study) {
+  RunInfo run;
+  static_cast<RunRecord&>(run) = order;
+  run.id = make_folder(folder_, run.kind);
+  run.started = seconds_since_1970();
+  run.model_path = model.path;
+  run.changed = changed_since_last(run.title, model.text);
+  write_text(folder(run) / kModelCopy, model.text);
+  if (run.is_matrix()) write_text(folder(run) / kStudyCopy, study);
+  keep_record(run, folder(run));
+  const std::vector<RunInfo> cases = cases_of(run);
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    runs_.push_back(run);
+    runs_.insert(runs_.end(), cases.begin(), cases.end());
+    waiting_.push_back({run, model, false});
+  }
+  changed_.notify_all();
+  events_.send("run", run_json(run), run.id);
+  for (const RunInfo& one : cases) events_.send("run", run_json(one), one.id);
+  return run;
+}
+
+std::string RunQueue::changed_since_last(const std::string& title, const std::string& text) const {
+  std::optional<RunInfo> last;
+  for (const RunInfo& run : list()) {
+    if (run.parent.empty() && run.title == title && (!last || run.id > last->id)) last = run;
+  }
+  return last ? changes_in_words(file_text(folder(*last) / kModelCopy), text) : "";
+}
+
+RunInfo RunQueue::cancel(const std::string& id) {
+  find_whole(id);
+  bool waited = false;
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    waited = std::erase_if(waiting_, [&](const Job& job) { return job.run.id == id; }) > 0;
+    if (!waited && at(id).state == RunState::running) stop_ = true;
+  }
+  if (waited) end(id, RunState::cancelled, "cancelled before it started");
+  return find(id);
+}
+
+RunInfo RunQueue::annotate(const std::string& id, const std::string& name, const std::string& note) {
+  find(id);
+  update(
+      id,
+      [&](RunInfo& run) {
+        run.name = name;
+        run.note = note;
+      },
+      true);
+  return find(id);
+}
+
+void RunQueue::remove(const std::string& id) {
+  const RunInfo run = find_whole(id);
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    if (!at(id).ended()) throw HttpFault(409, "the run is still in progress", "cancel it first");
+    std::erase_if(runs_, [&](const RunInfo& one) { return one.id == id || one.parent == id; });
+  }
+  std::error_code fault;
+  {
+    const std::lock_guard hold(files_);  // somebody may be reading them
+    fs::remove_all(folder(run), fault);
+  }
+  events_.send("run", {{"id", id}, {"state", "deleted"}}, id);
+  if (fault) throw HttpFault(422, "the folder of the run cannot be removed: " + fault.message());
+}
+
+RunInfo RunQueue::resume(const std::string& id) {
+  const RunInfo run = find_whole(id);
+  Job job{run, {}, true};
+  job.model.text = file_text(folder(run) / kModelCopy);
+  job.model.path = run.model_path;
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    RunInfo& now = at(id);
+    if (!now.ended() || !now.resumable || job.model.text.empty()) {
+      throw HttpFault(409, "the run cannot be resumed", "it has no checkpoint to continue from");
+    }
+    now.state = RunState::queued;
+    now.resumable = false;
+    now.message.clear();
+    for (RunInfo& one : runs_) {
+      if (one.parent != id || one.state == RunState::done) continue;
+      one.state = RunState::queued;
+      one.message.clear();
+    }
+    waiting_.push_back(std::move(job));
+  }
+  changed_.notify_all();
+  for (const RunInfo& one : cases_of(run)) {
+    update(
+        one.id, [](RunInfo&) {}, false);
+  }
+  update(
+      id, [](RunInfo&) {}, true);
+  return find(id);
+}
+
+std::vector<RunInfo> RunQueue::list() const {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  std::vector<RunInfo> runs(runs_.rbegin(), runs_.rend());
+  std::erase_if(runs, [](const RunInfo& run) { return !run.parent.empty(); });
+  std::stable_sort(runs.begin(), runs.end(), [](const RunInfo& a, const RunInfo& b) { return a.started > b.started; });
+  for (std::size_t i = 0; i < runs.size(); ++i) {  // each study's cases behind it, in their order
+    if (!runs[i].is_study()) continue;
+    std::vector<RunInfo> cases;
+    std::ranges::copy_if(runs_, std::back_inserter(cases),
+                         [&](const RunInfo& one) { return one.parent == runs[i].id; });
+    runs.insert(runs.begin() + static_cast<std::ptrdiff_t>(i) + 1, cases.begin(), cases.end());
+  }
+  return runs;
+}
+
+RunInfo RunQueue::find(const std::string& id) const {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  for (const RunInfo& run : runs_) {
+    if (run.id == id) return run;
+  }
+  throw HttpFault(404, "there is no run " + id);
+}
+
+RunInfo RunQueue::find_whole(const std::string& id) const {
+  RunInfo run = find(id);
+  if (!run.parent.empty()) throw HttpFault(409, "the run is a case of " + run.parent, "the study goes as a whole");
+  return run;
+}
+
+bool RunQueue::closing() const {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  return closing_;
+}
+
+RunInfo& RunQueue::at(const std::string& id) {
+  return *std::find_if(runs_.begin(), runs_.end(), [&](const RunInfo& run) { return run.id == id; });
+}
+
+void RunQueue::update(const std::string& id, const std::function<void(RunInfo&)>& change, bool lasting) {
+  RunInfo now;
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    RunInfo& run = at(id);
+    change(run);
+    now = run;
+  }
+  if (lasting) {
+    try {
+      const std::lock_guard hold(files_);
+      now = find(id);  // not what was true before another thread's turn
+      keep_record(now, folder(now));
+    } catch (const std::exception&) {
+      // The disk is full or the folder gone; the list of this start still knows.
+    }
+  }
+  events_.send("run", run_json(now), id);
+}
+
+void RunQueue::end(const std::string& id, RunState state, const std::string& message) {
+  const RunInfo run = find(id);
+  for (const RunInfo& one : cases_of(run)) {  // those that have not come to an end of their own
+    if (!find(one.id).ended()) end(one.id, state == RunState::done ? state : RunState::cancelled, "");
+  }
+  const bool resumable = state != RunState::done && run.parent.empty() && can_be_resumed(run, folder_);
+  update(
+      id,
+      [&](RunInfo& now) {
+        now.state = state;
+        now.message = message;
+        now.resumable = resumable;
+        now.now.reset();
+        if (state == RunState::done) {
+          now.progress = 1.0;
+          now.has_results = true;
+        }
+      },
+      true);
+}
+
+void RunQueue::work() {
+  while (true) {
+    Job job;
+    {
+      std::unique_lock<std::mutex> hold(mutex_);
+      changed_.wait(hold, [&] { return closing_ || !waiting_.empty(); });
+      if (closing_) return;
+      job = std::move(waiting_.front());
+      waiting_.pop_front();
+      stop_ = false;
+      at(job.run.id).state = RunState::running;
+    }
+    run(job);
+    live_.clear();
+  }
+}
+
+}  // namespace overbend

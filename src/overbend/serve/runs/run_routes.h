@@ -1,0 +1,12 @@
+/// Requests about runs.
+#pragma once
+
+#include "serve/model/open_model.h"
+#include "serve/runs/run_queue.h"
+
+namespace overbend {
+
+/// Adds the routes; what they are given must outlive them.
+void add_run_routes(std::vector<HttpRoute>& routes, OpenModel& model, RunQueue& runs);
+
+}  // namespace overbend

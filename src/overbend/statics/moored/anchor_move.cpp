@@ -1,0 +1,95 @@
+#include "statics/moored/anchor_move.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+constexpr int kMostRounds = 60;    ///< Of length and place: each answers the other.
+constexpr double kSettled = 1e-9;  ///< Of the tension.
+
+/// New place of the anchor, on the bed.
+Vec3 new_place(const Model& model, const AnchorMoveDescription& move, const Vec3& fairlead_V, const BedSurface& bed) {
+  Vec3 place = Vec3::Zero();
+  if (move.to) {
+    place = {(*move.to)[0], (*move.to)[1], 0.0};
+  } else {
+    const Vec3 forward = model.drawn_pose.R_WV.col(0);
+    const double azimuth = std::atan2(forward.x(), forward.y()) + move.bearing.value_or(0.0);
+    place = model.drawn_pose.R_WV * fairlead_V +
+            move.anchor_distance.value_or(0.0) * Vec3(std::sin(azimuth), std::cos(azimuth), 0.0);
+  }
+  place.z() = bed.height(place.x(), place.y());
+  return place;
+}
+
+/// Lets the hull lie where it will with one line at a tension, the others as long as they are: its length by the
+/// secant method, the hull's rest found for each.
+void rest_at_tension(MooredHull& moored, std::size_t index, double tension) {
+  MooredLine& line = moored.spread.lines[index];
+  const auto set_length = [&] {
+    const HullPlace place = place_of(moored.hull, moored.rest.offset);
+    const Vec3 fairlead = place.p_W + place.R_WV * line.fairlead_V;
+    return set_length_for_tension(line.line, line_site(moored.spread, line, fairlead),
+                                  line_direction(line, fairlead).distance, tension)
+        .fault;
+  };
+  if (set_length() != CatenaryFault::none) {
+    moored.rest.fault = fmt::format("mooring line \"{}\": no length of its first segment gives a tension of {:.1f} kN",
+                                    line.name, tension / 1e3);
+    return;
+  }
+  double before = line.line.first_segment(), miss_before = 0.0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    find_pose(moored);
+    if (moored.rest.fault) return;
+    const double length = line.line.first_segment(), miss = moored.rest.lines[index].tension() - tension;
+    if (std::abs(miss) <= kSettled * tension) return;
+    const double slope = round == 0 ? 0.0 : (miss - miss_before) / (length - before);
+    before = length;
+    miss_before = miss;
+    if (slope < 0.0) {
+      line.line.set_first_segment(length - miss / slope);
+    } else if (set_length() != CatenaryFault::none) {
+      break;
+    }
+  }
+  moored.rest.fault =
+      fmt::format("mooring line \"{}\": no rest of the hull was found with {:.1f} kN in it", line.name, tension / 1e3);
+}
+
+}  // namespace
+
+std::vector<AnchorStage> anchor_stages(const Model& model, const MooredHull& start) {
+  const AnchorMoveDescription& move = model.description.operation.anchor;
+  std::vector<AnchorStage> stages;
+  MooredHull moored = start;
+  const auto named = std::find_if(moored.spread.lines.begin(), moored.spread.lines.end(),
+                                  [&](const MooredLine& line) { return line.name == move.line; });
+  if (named == moored.spread.lines.end()) return stages;
+  const std::size_t index = static_cast<std::size_t>(named - moored.spread.lines.begin());
+  MooredLine& line = moored.spread.lines[index];
+  const auto at_tension = [&](const std::string& name, double tension) {
+    rest_at_tension(moored, index, tension);
+    stages.push_back({name, moored});
+    return !moored.rest.fault;
+  };
+  const double working = move.working_tension.value_or(start.rest.lines[index].tension());
+  if (!at_tension("slackened", move.handling_tension)) return stages;
+  line.parted = true;
+  find_pose(moored);
+  stages.push_back({"anchor up", moored});
+  if (moored.rest.fault) return stages;
+  line.parted = false;
+  line.anchor_W = new_place(model, move, line.fairlead_V, moored.spread.bed);
+  moored.rest.lines[index] = {};
+  if (!at_tension("anchor at its new place", move.handling_tension)) return stages;
+  if (!at_tension("hauled to working tension", working)) return stages;
+  if (move.test_tension) at_tension("holding test", *move.test_tension);
+  return stages;
+}
+
+}  // namespace overbend

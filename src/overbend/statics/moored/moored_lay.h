@@ -1,0 +1,35 @@
+/// Statics of a hull on mooring lines: with the pipe of a lay, or without one.
+#pragma once
+
+#include "results/mooring_results.h"
+#include "statics/solver/statics.h"
+
+namespace overbend {
+
+/// Whether a lay has mooring lines, or dynamic positioning: statics find where its vessel lies.
+bool is_moored_lay(const Description& description);
+
+struct LayOutcome {
+  std::optional<StaticSolution> solution;
+  std::optional<MooringResults> moorings;  ///< Of a hull on mooring lines.
+  std::optional<StaticFailure> failure;
+};
+
+/// Rest of a hull on its lines or by dynamic positioning without a pipe, and the stages of its operation; sets
+/// `model.mean_pose` to where it lies. The solution has no more than what a run in time starts from: pose, lines, what
+/// the winches do.
+LayOutcome solve_moored_hull(Model& model);
+
+/// Finds the equilibrium of the lay, and sets `model.mean_pose` to where the vessel comes to lie and `model.supports`
+/// to where a stinger on hinges comes to rest (statics/stinger/stinger_rest.h). Without mooring lines
+/// and dynamic positioning it is that of the pipe on the vessel as described.
+///
+/// With them pipe and hull take turns: what the pipe does to the vessel is a load on the hull on its lines, whose rest
+/// is a new place for the pipe's supports, until nothing moves. The hull's restoring is stiff beside the change of that
+/// load with the pose, so that a few turns do; it does not fail where the pipe on a held vessel does not. `start`
+/// and `past` as for solve_statics.
+///
+/// Where the tension is a result, steel that yields is bent by the tension found before, until that stays.
+LayOutcome solve_lay(Model& model, const StaticSolution* start = nullptr, const LinePast& past = {});
+
+}  // namespace overbend

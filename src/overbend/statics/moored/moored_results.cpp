@@ -1,0 +1,316 @@
+#include "statics/moored/moored_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/constants.h"
+#include "model/vessel/station.h"
+#include "moorings/bed_departure.h"
+#include "moorings/clearance.h"
+#include "moorings/periods.h"
+
+namespace overbend {
+namespace {
+
+/// Points of each hanging span in pictures and for clearances.
+constexpr int kShapePoints = 60;
+/// What the reader says of a type whose numbers the model gives.
+constexpr const char* kGivenNumbers = "numbers of the model";
+constexpr double kWholeTurn = 2.0 * std::numbers::pi;
+constexpr double kLargeAngle = 10.0 * kDegree;  ///< Beyond it the water's restoring is not linear.
+
+template <class Matrix>
+std::vector<double> by_rows(const Matrix& matrix) {
+  std::vector<double> values;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index k = 0; k < matrix.cols(); ++k) values.push_back(matrix(i, k));
+  }
+  return values;
+}
+
+std::vector<PeriodResult> periods_of(const Model& model, const RestOutcome& rest, const Mat6& stiffness) {
+  std::vector<PeriodResult> results;
+  const std::optional<CoupledHullDescription>& hull = model.description.vessel.coupled;
+  if (!hull || hull->mass <= 0.0) return results;
+  const Vec3 pull = (rest.forces.moorings + rest.forces.station).head<3>();
+  const Mat6 about_G = stiffness_about(stiffness, pull, hull->centre_of_gravity);
+  for (const NaturalPeriod& period : natural_periods(*hull, about_G)) results.push_back({period.mode, period.period});
+  return results;
+}
+
+/// Stiffness of lines, thrusters and water by shift and rotation: the slope by angles is one by rotations where the
+/// angles are small, as the water's part is.
+Mat6 whole_stiffness(const HullAtRest& hull, const RestOutcome& rest) {
+  Mat6 water = Mat6::Zero();
+  water.block<3, 3>(2, 2) = hull.restoring;
+  return rest.forces.mooring_stiffness + rest.forces.station_stiffness +
+         stiffness_about(water, Vec3::Zero(), -hull.restoring_point_V);
+}
+
+VesselResult vessel_result(const Model& model, const HullAtRest& hull, const RestOutcome& rest, bool free) {
+  VesselResult result = vessel_offset(rest.offset);
+  if (free) {
+    const Mat6 stiffness = whole_stiffness(hull, rest);
+    result.stiffness = by_rows(stiffness);
+    result.natural_periods = periods_of(model, rest, stiffness);
+  }
+  return result;
+}
+
+void add_clearance(const std::vector<SeabedObjectDescription>& objects, MooringLineResult& result) {
+  for (const SeabedObjectDescription& object : objects) {
+    const double distance = distance_between(result.shape_W, object.points);
+    if (result.clearance && *result.clearance <= distance) continue;
+    result.clearance = distance;
+    result.nearest_object = object.name;
+  }
+}
+
+MooringLineResult line_result(const Model& model, const MooredLine& line, const Vec3& fairlead,
+                              const CatenarySolution& solution) {
+  const LineDirection to = line_direction(line, fairlead);
+  MooringLineResult result;
+  result.name = line.name;
+  result.length = line.line.length();
+  result.first_segment_length = line.line.first_segment();
+  result.fairlead_W = fairlead;
+  result.anchor_W = line.anchor_W;
+  result.horizontal_distance = to.distance;
+  const double azimuth = std::atan2(to.direction_W.x(), to.direction_W.y());
+  result.azimuth = azimuth < 0.0 ? azimuth + kWholeTurn : azimuth;
+  result.parted = line.parted;
+  if (line.parted) return result;
+  result.fairlead_tension = solution.tension();
+  result.horizontal = solution.pull;
+  result.declination = std::atan2(solution.sink, solution.pull);
+  result.anchor_tension = solution.anchor_tension();
+  result.anchor_uplift = solution.anchor_uplift;
+  result.uplift_angle = std::atan2(solution.anchor_uplift, std::max(solution.anchor_pull, 1e-9));
+  result.suspended_length = solution.trace.touchdown_s;
+  result.touchdown_distance = solution.trace.touchdown_x;
+  result.on_bed = solution.trace.on_bed;
+  result.slack = solution.slack;
+  if (line.breaking_load) result.utilisation = result.fairlead_tension / *line.breaking_load;
+  if (line.holding) result.anchor_utilisation = result.anchor_tension / *line.holding;
+  for (const Eigen::Vector2d& point : catenary_shape(line.line, solution, kShapePoints)) {
+    const Vec3 flat(fairlead.x(), fairlead.y(), point.y());
+    result.shape_W.push_back(flat + point.x() * to.direction_W);
+  }
+  add_clearance(model.description.moorings->objects, result);
+  return result;
+}
+
+const char* drift_words(const Description& d) {
+  if (d.statics.mean_drift.value_or(false)) {
+    return "In statics steady current and wind and the mean drift of the waves act on the hull, with the heading it "
+           "has.";
+  }
+  return "In statics steady current and wind act on the hull, with the heading it has, and the mean drift of the waves "
+         "does not act.";
+}
+
+/// Tension at which the brake of a winch renders; none where the line has no winch or the winch no limit.
+std::optional<double> brake_of(const MooringsDescription& moorings, const std::string& winch) {
+  const auto named = std::find_if(moorings.winches.begin(), moorings.winches.end(),
+                                  [&](const WinchDescription& one) { return one.name == winch; });
+  return named == moorings.winches.end() ? std::nullopt : named->brake;
+}
+
+void assume_lines(const MooringsDescription& moorings, Assumptions& list) {
+  list.push_back(
+      {AssumptionRank::governing,
+       "Mooring lines are elastic catenaries: without bending stiffness, without current and waves on them, on a rigid "
+       "bed at the line's axis, with the weight in air above the mean water level."});
+  list.push_back(
+      {AssumptionRank::other, "Sheaves, their friction and the run from the fairlead to the winch are left out."});
+  for (const MooringLineDescription& line : moorings.lines) {
+    for (const LineSegmentDescription& segment : line.segments) {
+      if (segment.type.made_from.empty() || segment.type.made_from == kGivenNumbers) continue;
+      list = merge(std::move(list),
+                   {{AssumptionRank::other, fmt::format("Mooring line \"{}\": properties by diameter, {}.", line.name,
+                                                        segment.type.made_from)}});
+    }
+  }
+}
+
+/// Thrusters that give all they can hold no more.
+void warn_of_thrust(const StationKeepingDescription& law, const MooredState& state, Findings& list) {
+  constexpr std::array<const char*, 3> kNames = {"surge", "sway", "yaw"};
+  for (std::size_t i = 0; i < state.thrust.size(); ++i) {
+    if (std::abs(state.thrust[i]) < law.limit[static_cast<Eigen::Index>(i)]) continue;
+    list.push_back(Finding{
+        FindingCode::thrust_at_limit,
+        fmt::format("{}: dynamic positioning gives all its thrust in {}: it holds no more.", state.name, kNames[i])}
+                       .on(std::string("dynamic positioning, ") + kNames[i]));
+  }
+}
+
+/// Beyond what the linear restoring of the water holds for.
+void warn_of_large_offset(const VesselDescription& vessel, const MooredState& state, Findings& list) {
+  const double heave = std::abs(state.vessel.heave);
+  if (std::max(std::abs(state.vessel.roll), std::abs(state.vessel.pitch)) > kLargeAngle) {
+    list.push_back(Finding{FindingCode::vessel_angle_nonlinear,
+                           fmt::format("{}: the vessel heels by {:.1f} deg and trims by {:.1f} deg: beyond 10 deg the "
+                                       "restoring of the water is not "
+                                       "linear, as it is taken to be.",
+                                       state.name, kToDegrees * state.vessel.roll, kToDegrees * state.vessel.pitch)}
+                       .on("vessel")
+                       .with("roll", state.vessel.roll, "rad")
+                       .with("pitch", state.vessel.pitch, "rad"));
+  }
+  if (heave > 0.5 * (vessel.depth - vessel.draught)) {
+    list.push_back(Finding{
+        FindingCode::vessel_heave_nonlinear,
+        fmt::format(
+            "{}: the vessel heaves by {:.2f} m, more than half its freeboard: the restoring of the water is not "
+            "linear there, as it is taken to be.",
+            state.name, state.vessel.heave)}
+                       .on("vessel")
+                       .with("heave", state.vessel.heave, "m"));
+  }
+}
+
+/// Where the catenary's straight bed is not the bed. A metre of it changes no tension much in waters where lines lie.
+void warn_of_bed(const BedSurface& bed, const MooringLineResult& line, const std::string& head, Findings& list) {
+  constexpr double kTold = 1.0;
+  constexpr const char* kWhy =
+      "statics take the bed as straight from below the fairlead to the anchor, and a line over the bed as it is has "
+      "another tension and stiffness; a run in time lays it on that bed and begins with what it finds.";
+  const BedDeparture there = bed_departure(bed, line.shape_W);
+  if (there.inside > kTold) {
+    list.push_back(Finding{FindingCode::line_off_seabed,
+                           fmt::format("{} runs up to {:.1f} m in the seabed, {:.0f} m from its anchor: {}", head,
+                                       there.inside, there.inside_at, kWhy)}
+                       .on("mooring line " + line.name)
+                       .with("depth", there.inside, "m"));
+  } else if (there.over_hollow > kTold) {
+    list.push_back(
+        Finding{FindingCode::line_off_seabed,
+                fmt::format("{} is taken to lie up to {:.1f} m above the seabed, {:.0f} m from its anchor: {}", head,
+                            there.over_hollow, there.hollow_at, kWhy)}
+            .on("mooring line " + line.name)
+            .with("height", there.over_hollow, "m"));
+  }
+}
+
+}  // namespace
+
+VesselResult vessel_offset(const HullOffset& u) {
+  VesselResult result;
+  result.surge = u[0];
+  result.sway = u[1];
+  result.heave = u[2];
+  result.roll = u[3];
+  result.pitch = u[4];
+  result.yaw = std::remainder(u[5], kWholeTurn);
+  return result;
+}
+
+MooredState moored_state(const std::string& name, const Model& model, const MooringSpread& spread,
+                         const HullAtRest& hull, const RestOutcome& rest, bool free) {
+  MooredState state;
+  state.name = name;
+  state.vessel = vessel_result(model, hull, rest, free);
+  if (free) {
+    state.mooring_force = by_rows(rest.forces.moorings);
+    state.mooring_stiffness = by_rows(rest.forces.mooring_stiffness);
+    if (hull.station) state.thrust = by_rows(rest.forces.thrust);
+  }
+  state.residual = rest.residual;
+  state.iterations = rest.iterations;
+  const HullPlace place = place_of(hull, rest.offset);
+  for (std::size_t i = 0; i < spread.lines.size(); ++i) {
+    const MooredLine& line = spread.lines[i];
+    state.moorings.push_back(line_result(model, line, place.p_W + place.R_WV * line.fairlead_V, rest.lines[i]));
+  }
+  return state;
+}
+
+Findings mooring_findings(const Model& model, const MooringSpread& spread, const MooredState& state) {
+  Findings list;
+  const MooringsDescription& moorings = moorings_of(model.description);
+  int effective = 0;
+  for (std::size_t i = 0; i < state.moorings.size(); ++i) {
+    const MooringLineResult& line = state.moorings[i];
+    const std::string head = fmt::format("{}: mooring line \"{}\"", state.name, line.name);
+    const double tension = line.fairlead_tension / 1e3;
+    if (line.parted) continue;
+    effective += line.slack ? 0 : 1;
+    if (line.slack) {
+      list.push_back(
+          Finding{FindingCode::line_slack, head + " is slack: it holds nothing."}.on("mooring line " + line.name));
+    }
+    if (line.utilisation && *line.utilisation > 1.0) {
+      list.push_back(Finding{FindingCode::breaking_load_exceeded,
+                             fmt::format("{} has {:.1f} kN, more than its breaking load.", head, tension)}
+                         .on("mooring line " + line.name)
+                         .with("tension", line.fairlead_tension, "N"));
+    } else if (moorings.working_load && line.fairlead_tension > *moorings.working_load) {
+      list.push_back(Finding{FindingCode::working_load_exceeded,
+                             fmt::format("{} has {:.1f} kN, more than the working load.", head, tension)}
+                         .on("mooring line " + line.name)
+                         .with("tension", line.fairlead_tension, "N"));
+    }
+    if (const std::optional<double> brake = brake_of(moorings, moorings.lines[i].winch);
+        brake && line.fairlead_tension > *brake) {
+      list.push_back(
+          Finding{FindingCode::winch_limit_exceeded,
+                  fmt::format("{} has {:.1f} kN, more than the {:.1f} kN at which its winch's brake renders.", head,
+                              tension, *brake / 1e3)}
+              .on("mooring line " + line.name)
+              .with("tension", line.fairlead_tension, "N"));
+    }
+    if (line.anchor_uplift > 0.0) {
+      list.push_back(Finding{FindingCode::anchor_lifted,
+                             fmt::format("{} lifts its anchor with {:.1f} kN: no length of it is left on the bed.",
+                                         head, line.anchor_uplift / 1e3)}
+                         .on("mooring line " + line.name)
+                         .with("uplift", line.anchor_uplift, "N"));
+    } else if (line.on_bed <= 0.0) {
+      list.push_back(Finding{FindingCode::no_length_on_seabed, head + " has no length on the bed."}.on("mooring line " +
+                                                                                                       line.name));
+    }
+    if (line.anchor_utilisation && *line.anchor_utilisation > 1.0) {
+      list.push_back(Finding{FindingCode::anchor_holding_exceeded,
+                             fmt::format("{} pulls its anchor with {:.1f} kN, more than its holding power.", head,
+                                         line.anchor_tension / 1e3)}
+                         .on("mooring line " + line.name)
+                         .with("tension", line.anchor_tension, "N"));
+    }
+    warn_of_bed(spread.bed, line, head, list);
+    const std::optional<double>& drum = spread.lines[i].drum;
+    if (drum && line.first_segment_length > *drum) {
+      list.push_back(Finding{FindingCode::drum_length_exceeded,
+                             fmt::format("{} has {:.1f} m out, more than the {:.1f} m that its winch's drum holds.",
+                                         head, line.first_segment_length, *drum)}
+                         .on("mooring line " + line.name)
+                         .with("length", line.first_segment_length, "m"));
+    }
+  }
+  if (is_positioned(model.description)) {
+    warn_of_thrust(*model.description.station_keeping, state, list);
+  } else if (effective < 3 && hull_is_free(model.description)) {
+    list.push_back(
+        Finding{FindingCode::vessel_not_held,
+                fmt::format("{}: only {} of the mooring lines pull; fewer than three do not hold surge, sway and yaw.",
+                            state.name, effective)}
+            .on("vessel"));
+  }
+  warn_of_large_offset(model.description.vessel, state, list);
+  return list;
+}
+
+Assumptions mooring_assumptions(const Model& model) {
+  Assumptions list = assumptions(model);
+  if (has_mooring_lines(model.description)) assume_lines(*model.description.moorings, list);
+  if (model.description.vessel.coupled) {
+    list.push_back({AssumptionRank::other, drift_words(model.description)});
+  }
+  return list;
+}
+
+}  // namespace overbend

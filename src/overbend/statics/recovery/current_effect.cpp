@@ -1,0 +1,93 @@
+#include "statics/recovery/current_effect.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statics/recovery/recovery_parts.h"
+#include "statics/solver/flat_start.h"
+
+namespace overbend {
+namespace {
+
+bool flows(const CurrentProfile& current) {
+  const auto moves = [](double v) { return v != 0.0; };
+  return std::any_of(current.vx.begin(), current.vx.end(), moves) ||
+         std::any_of(current.vy.begin(), current.vy.end(), moves);
+}
+
+/// Values of the still lay at a distance from the tensioner.
+class StillLay {
+ public:
+  explicit StillLay(const std::vector<Station>& stations) : stations_(&stations), total_(stations.back().s) {}
+
+  double at(double from_top, double Station::*member) const {
+    const double s = total_ - from_top;
+    const auto above = std::lower_bound(stations_->begin(), stations_->end(), s,
+                                        [](const Station& station, double v) { return station.s < v; });
+    if (above == stations_->begin()) return (*above).*member;
+    if (above == stations_->end()) return stations_->back().*member;
+    const Station &b = *above, &a = *(above - 1);
+    return a.*member + (s - a.s) / (b.s - a.s) * (b.*member - a.*member);
+  }
+
+ private:
+  const std::vector<Station>* stations_;
+  double total_;
+};
+
+}  // namespace
+
+bool has_current(const Model& model) {
+  return flows(model.current);
+}
+
+bool needs_still_lay(const Model& model) {
+  const CheckSettings& checks = model.description.checks;
+  return checks.current_load == CurrentLoad::environmental && checks.codes != CheckCodes::api && has_current(model);
+}
+
+Model without_current(const Model& model) {
+  Model still = model;
+  still.description.environment.current.clear();
+  still.current = {};
+  still.mean_pose = still.drawn_pose;
+  return still;
+}
+
+StaticOutcome solve_still_lay(const Model& still_model, const StaticSolution& solution, const StaticSolution* still) {
+  if (still != nullptr) return solve_statics(still_model, still, solution.past);
+  const StaticSolution flat = laid_flat(still_model, solution);
+  return solve_statics(still_model, &flat, solution.past);
+}
+
+void set_current_effect(const std::vector<Station>& still, StaticResults& results) {
+  const StillLay lay(still);
+  for (Station& at : results.stations) {
+    const double from_top = results.total_length - at.s;
+    at.current_vertical_moment = at.vertical_moment - lay.at(from_top, &Station::vertical_moment);
+    at.current_lateral_moment = at.lateral_moment - lay.at(from_top, &Station::lateral_moment);
+    at.current_tension = at.effective_tension - lay.at(from_top, &Station::effective_tension);
+  }
+}
+
+void find_current_effect(const Model& model, const StaticSolution& solution, StaticResults& results) {
+  std::optional<StaticSolution> still;
+  find_current_effect(model, solution, results, still);
+}
+
+void find_current_effect(const Model& model, const StaticSolution& solution, StaticResults& results,
+                         std::optional<StaticSolution>& still) {
+  if (!needs_still_lay(model)) return;
+  const Model still_model = without_current(model);
+  StaticOutcome outcome = solve_still_lay(still_model, solution, still ? &*still : nullptr);
+  if (!outcome.solution) {
+    results.findings.push_back({FindingCode::current_effect_unknown,
+                                "there is no equilibrium without the current: the checks treat the load effects of the "
+                                "current as functional"});
+    return;
+  }
+  set_current_effect(recover_stations(still_model, *outcome.solution), results);
+  still = std::move(outcome.solution);
+}
+
+}  // namespace overbend

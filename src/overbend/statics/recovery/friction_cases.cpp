@@ -1,0 +1,126 @@
+#include "statics/recovery/friction_cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "statics/recovery/recovery.h"
+#include "statics/solver/steady_laying.h"
+
+namespace overbend {
+namespace {
+
+/// Place of the pipe at an arc length, between stations.
+Vec3 place_at(const std::vector<Station>& stations, double s) {
+  const auto after =
+      std::lower_bound(stations.begin(), stations.end(), s, [](const Station& a, double v) { return a.s < v; });
+  if (after == stations.begin()) return stations.front().p_W;
+  if (after == stations.end()) return stations.back().p_W;
+  const Station &b = *after, &a = *(after - 1);
+  return a.p_W + (s - a.s) / (b.s - a.s) * (b.p_W - a.p_W);
+}
+
+/// How far the pipe runs off the ends of the rollers that bear it at the last box [m].
+double off_last_box(const SupportResult& box) {
+  double off = 0.0;
+  for (const RowResult& row : box.rows) {
+    for (const RollerResult& roller : row.rollers) {
+      if (roller.reaction > 0.0) off = std::max(off, roller.off_end);
+    }
+  }
+  return off;
+}
+
+/// Where the pipe passes the last row of the stinger.
+void put_tip(RollerFrictionCase& answer, const StaticResults& results) {
+  if (results.supports.empty() || !results.supports.back().stinger || results.supports.back().rows.empty()) return;
+  answer.off_roller = off_last_box(results.supports.back());
+  const RowResult& tip = results.supports.back().rows.back();
+  if (tip.s < 0.0) return;
+  answer.tip_side = (place_at(results.stations, tip.s) - results.stern_shoe_W).dot(results.R_WV.col(1));
+}
+
+/// One limit: the model that has it, and the way in which the pipe came across the rollers.
+struct Limit {
+  std::string name;
+  RollerFriction along = RollerFriction::none;
+  double across = 0.0;
+  Laying laying = Laying::steady;
+};
+
+std::vector<Limit> limits_of(const Model& model, const StaticResults& results) {
+  const auto has = [&](double Roller::*friction) {
+    return std::ranges::any_of(model.supports.rollers, [&](const Roller& roller) { return roller.*friction > 0.0; });
+  };
+  const StaticSettings& statics = model.description.statics;
+  const bool axial = has(&Roller::friction_axial), lateral = has(&Roller::friction_lateral);
+  std::vector<Limit> limits;
+  if (axial || lateral) limits.push_back({"frictionless", RollerFriction::none, 0.0, statics.laying});
+  if (axial) {
+    limits.push_back({"lay", RollerFriction::lay, 0.0, statics.laying});
+    limits.push_back({"haul", RollerFriction::haul, 0.0, statics.laying});
+  }
+  if (lateral) {
+    limits.push_back({"port", statics.roller_friction, 1.0, statics.laying});
+    limits.push_back({"starboard", statics.roller_friction, -1.0, statics.laying});
+  }
+  if (lays_steadily(model) && results.route) {
+    limits.push_back({"pulled across", statics.roller_friction, 0.0, Laying::pulled_across});
+  }
+  return limits;
+}
+
+/// Whether the friction assumed drives the pipe instead of holding it: it hangs below the tensioner, and rollers that
+/// resist its way cannot pull it down harder than the tensioner holds it back.
+bool pushed(const StaticResults& found) {
+  return found.bottom_tension > found.top_tension;
+}
+
+}  // namespace
+
+RollerFrictionCase friction_case(const std::string& name, const StaticResults& results) {
+  RollerFrictionCase answer;
+  answer.name = name;
+  answer.top_tension = results.top_tension;
+  answer.bottom_tension = results.bottom_tension;
+  answer.lay_back = results.lay_back;
+  if (results.overbend) answer.overbend_stress = results.overbend->von_mises.value;
+  answer.sagbend_stress = results.sagbend.von_mises.value;
+  answer.largest_reaction = results.largest_reaction;
+  put_tip(answer, results);
+  return answer;
+}
+
+void find_friction_cases(const Model& model, const StaticSolution& solution, StaticResults& results) {
+  results.roller_friction.clear();
+  for (const Limit& limit : limits_of(model, results)) {
+    Model with = model;
+    with.description.statics.roller_friction = limit.along;
+    with.description.statics.laying = limit.laying;
+    LinePast past = solution.past;
+    past.across_rollers = limit.across;
+    const StaticOutcome outcome = solve_statics(with, &solution, past);
+    const auto warn = [&](const std::string& why) {
+      results.findings.push_back(Finding{FindingCode::friction_limit_not_found,
+                                         fmt::format("effect of roller friction, limit '{}': {}", limit.name, why)}
+                                     .on(limit.name));
+    };
+    if (!outcome.solution) {
+      warn("no equilibrium found: " + (outcome.failure ? outcome.failure->what : "no reason given"));
+      continue;
+    }
+    const StaticResults found = recover_state(with, *outcome.solution);
+    if (pushed(found)) {
+      warn(
+          fmt::format("left out: friction would push the pipe to {:.0f} kN at touchdown, more than the tensioner holds",
+                      1e-3 * found.bottom_tension));
+      continue;
+    }
+    for (const Finding& finding : found.findings) {  // what else there is stands in the limit's row
+      if (finding.code == FindingCode::steady_laying_not_found) warn(finding.message);
+    }
+    results.roller_friction.push_back(friction_case(limit.name, found));
+  }
+}
+
+}  // namespace overbend

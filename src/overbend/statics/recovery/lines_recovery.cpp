@@ -1,0 +1,196 @@
+#include "statics/recovery/lines_recovery.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/version.h"
+#include "mechanics/ground.h"
+#include "model/model_findings.h"
+#include "system/cut_forces.h"
+
+namespace overbend {
+namespace {
+
+using Vec3Map = Eigen::Map<const Vec3>;
+
+double submerged_weight(const Line& line) {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
+    sum += line.mesh.length[e] * (line.elements.weight[e] - line.elements.buoyancy[e]);
+  }
+  for (const LinePoint& point : line.points) sum += point.weight - point.buoyancy;
+  return sum;
+}
+
+LineEndResult end_of(const LineAssembly& line, const std::vector<double>& q, LineEnd which) {
+  const std::array<double, 6>& force = line.end_force(which);
+  const Vec3 tangent = Vec3Map(q.data() + 6 * static_cast<std::size_t>(line.end_node(which)) + 3).normalized();
+  LineEndResult end;
+  end.force = Vec3(force[0], force[1], force[2]);
+  end.tension = (which == LineEnd::last ? 1.0 : -1.0) * end.force.dot(tangent);  // as in time
+  end.declination = std::asin(std::clamp(which == LineEnd::last ? tangent.z() : -tangent.z(), -1.0, 1.0));
+  end.in_time = {end.tension, end.tension, end.tension, 0.0};
+  return end;
+}
+
+/// Where all that meets at a node only pulls, its tension is the whole force: a slack element beside a kink leaves the
+/// direction of the node free, and nothing there bears a force across the line.
+double tension_at(const LineElements& elements, std::size_t node, const Vec3& force, const Vec3& tangent) {
+  const std::size_t last = static_cast<std::size_t>(elements.count) - 1;
+  const bool pushed =
+      elements.compression[std::min(node, last)] == 1.0 || elements.compression[node > 0 ? node - 1 : 0] == 1.0;
+  return pushed ? force.dot(tangent) : force.norm();
+}
+
+std::vector<LineNodeResult> nodes_of(const LineAssembly& line, const std::vector<double>& q) {
+  std::vector<LineNodeResult> nodes;
+  for (std::size_t node = 0; node < line.line().mesh.s.size(); ++node) {
+    const Vec3 tangent = Vec3Map(q.data() + 6 * node + 3).normalized();
+    LineNodeResult one;
+    one.s = line.line().mesh.s[node];
+    one.place = Vec3Map(q.data() + 6 * node);
+    const Vec3 force = cut_at_node(line.cuts(), q, node).force;
+    one.tension = tension_at(line.line().elements, node, force, tangent);
+    one.least_tension = one.largest_tension = one.tension;
+    nodes.push_back(one);
+  }
+  return nodes;
+}
+
+std::optional<double> utilisation_of(const FreeLineDescription& description, const LineResult& line,
+                                     const LineMesh& mesh) {
+  std::optional<double> most;
+  for (std::size_t e = 0; e < mesh.length.size(); ++e) {
+    const auto& load = description.segments[static_cast<std::size_t>(mesh.section[e])].type.breaking_load;
+    if (!load) continue;
+    const double tension = std::max(line.nodes[e].tension, line.nodes[e + 1].tension);
+    most = std::max(most.value_or(0.0), tension / *load);
+  }
+  return most;
+}
+
+/// Where an element is a loop, an end of it looking back: an equilibrium of the elements that no line has. Bends that
+/// elements can follow turn an end by less than this from its element.
+std::optional<double> folded_at(const LineMesh& mesh, const std::vector<double>& q) {
+  constexpr double kLooksBack = -0.5;  // cosine
+  for (std::size_t e = 0; e < mesh.length.size(); ++e) {
+    const Vec3 along = (Vec3Map(q.data() + 6 * e + 6) - Vec3Map(q.data() + 6 * e)).normalized();
+    for (const std::size_t node : {e, e + 1}) {
+      if (Vec3Map(q.data() + 6 * node + 3).normalized().dot(along) < kLooksBack) return mesh.s[node];
+    }
+  }
+  return std::nullopt;
+}
+
+void warn_of_fold(const std::string& name, const LineMesh& mesh, const std::vector<double>& q, Findings& findings) {
+  const std::optional<double> at = folded_at(mesh, q);
+  if (!at) return;
+  findings.push_back(
+      Finding{FindingCode::element_folded,
+              fmt::format("line \"{}\": an element is folded {:.1f} m from its first end: tension and shape are not "
+                          "those of a line; give its ends a direction, or shorter elements (lines[].element)",
+                          name, *at)}
+          .on("line " + name));
+}
+
+void warn(const FreeLineDescription& description, const LineResult& line, bool in_bow, Findings& findings) {
+  if (line.utilisation && *line.utilisation > 1.0) {
+    findings.push_back(Finding{
+        FindingCode::breaking_load_exceeded,
+        fmt::format("line \"{}\": its largest tension is {:.2f} times its breaking load", line.name, *line.utilisation)}
+                           .on("line " + line.name)
+                           .with("utilisation", *line.utilisation, "1"));
+  }
+  constexpr double kPushed = 0.1;  // of the weight: so much a bent line does not bear
+  if (line.least_tension < -kPushed * std::abs(line.weight)) {
+    findings.push_back(Finding{
+        FindingCode::line_compressed,
+        fmt::format("line \"{}\": slack, it is pushed with up to {:.3g} kN: a line that bends aside has other tensions",
+                    line.name, -1e-3 * line.least_tension)}
+                           .on("line " + line.name)
+                           .with("tension", line.least_tension, "N"));
+  }
+  if (in_bow) {
+    findings.push_back(
+        Finding{FindingCode::line_in_bow,
+                fmt::format("line \"{}\": slack, it lies in a bow on the bed whose place is arbitrary", line.name)}
+            .on("line " + line.name));
+  }
+  for (const auto& [end, result] : {std::pair{&description.first, &line.first}, {&description.second, &line.second}}) {
+    if (end->kind == LineEndKind::bed && result->force.z() < -1e-3 * result->tension) {
+      findings.push_back(Finding{
+          FindingCode::seabed_end_lifted,
+          fmt::format("line \"{}\": pulls its end on the bed up with {:.1f} kN", line.name, -1e-3 * result->force.z())}
+                             .on("line " + line.name)
+                             .with("uplift", -result->force.z(), "N"));
+    }
+  }
+}
+
+}  // namespace
+
+double length_on_bed(const Line& line, const std::vector<double>& q) {
+  const std::vector<double>& length = line.mesh.length;
+  const AlignedDoubles& radius = line.elements.radius;
+  double sum = 0.0;
+  for (std::size_t node = 0; node <= length.size(); ++node) {
+    const double clearance = bed_clearance(line.environment, Vec3Map(q.data() + 6 * node));
+    if (node > 0 && clearance < radius[node - 1]) sum += 0.5 * length[node - 1];
+    if (node < length.size() && clearance < radius[node]) sum += 0.5 * length[node];
+  }
+  return sum;
+}
+
+Assumptions line_assumptions(const Model& model) {
+  Assumptions told = {
+      {AssumptionRank::other,
+       "Lines: no torsion; chains and ropes bear no compression and are damped by 1 % of critical in their first axial "
+       "mode, other lines not; pressure makes no tension; their axis rests at the height of the bed."}};
+  const bool tethers =
+      std::any_of(model.description.lines.begin(), model.description.lines.end(), [](const auto& line) {
+        return std::any_of(line.points.begin(), line.points.end(),
+                           [](const auto& point) { return point.tether > 0.0; });
+      });
+  if (tethers)
+    told.push_back(
+        {AssumptionRank::other, "Tethers stand upright over or under their line whatever drags on what they hold."});
+  return told;
+}
+
+LinesResults recover_lines(const Model& model, const Assembly& assembly, const SystemState& state,
+                           const LinesRest& rest) {
+  LinesResults results;
+  results.title = model.description.title;
+  results.version = kVersion;
+  results.findings = model_findings(model);
+  results.assumptions = line_assumptions(model);
+  for (std::size_t i = 0; i < state.lines.size(); ++i) {
+    const FreeLineDescription& description = model.description.lines[i];
+    const LineAssembly& solved = assembly.line(i);
+    const std::vector<double>& q = state.lines[i].q;
+    LineResult line;
+    line.name = description.name;
+    line.length = solved.line().mesh.total_length();
+    line.elements = solved.line().mesh.elements();
+    line.weight = submerged_weight(solved.line());
+    line.on_bed = length_on_bed(solved.line(), q);
+    line.residual = rest.lines[i].residual;
+    line.iterations = rest.lines[i].iterations;
+    line.first = end_of(solved, q, LineEnd::first);
+    line.second = end_of(solved, q, LineEnd::last);
+    line.nodes = nodes_of(solved, q);
+    const auto by_tension = [](const LineNodeResult& a, const LineNodeResult& b) { return a.tension < b.tension; };
+    const auto [least, most] = std::minmax_element(line.nodes.begin(), line.nodes.end(), by_tension);
+    line.least_tension = line.least_in_time = least->tension;
+    line.largest_tension = line.largest_in_time = most->tension;
+    line.utilisation = utilisation_of(description, line, solved.line().mesh);
+    warn(description, line, rest.in_bows[i], results.findings);
+    warn_of_fold(line.name, solved.line().mesh, q, results.findings);
+    results.lines.push_back(std::move(line));
+  }
+  return results;
+}
+
+}  // namespace overbend

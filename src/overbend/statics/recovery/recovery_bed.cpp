@@ -1,0 +1,189 @@
+#include "statics/recovery/recovery_bed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/rod_element.h"
+#include "model/site/bed_shape.h"
+#include "statics/equations/bed_contacts.h"
+
+namespace overbend {
+namespace {
+
+constexpr int kLooksPerElement = 4;
+
+double astern_of(const StaticSystem& system, const LineState& state, const LinePlace& place) {
+  const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * place.element));
+  const Vec3 r = centreline(q, place.xi, system.mesh().length[static_cast<std::size_t>(place.element)]).r;
+  return (r - point_from_ramp(system.model(), system.model().mean_pose, Vec3::Zero())).dot(system.plane().astern_W);
+}
+
+struct Sample {
+  double x = 0.0, value = 0.0;
+};
+
+/// The largest of samples in the order of x, between them where it lies inside: of the parabola through it and its
+/// neighbours. All zero without samples.
+Sample peak(const std::vector<Sample>& samples) {
+  if (samples.empty()) return {};
+  const auto largest = std::ranges::max_element(samples, {}, &Sample::value);
+  if (largest == samples.begin() || largest + 1 == samples.end()) return *largest;
+  const Sample &a = *(largest - 1), &b = *largest, &c = *(largest + 1);
+  const double before = (b.value - a.value) / (b.x - a.x), behind = (c.value - b.value) / (c.x - b.x);
+  const double bend = (behind - before) / (c.x - a.x);
+  if (!(bend < 0.0)) return b;
+  const double slope = before + bend * (b.x - a.x);  // of the parabola at b
+  const double x = std::clamp(b.x - 0.5 * slope / bend, std::min(a.x, c.x), std::max(a.x, c.x));
+  return {x, b.value + (slope + bend * (x - b.x)) * (x - b.x)};
+}
+
+/// Calls `look(place)` along the line between two arc lengths, from the far end up.
+template <class Look>
+void walk_line(const StaticSystem& system, double from, double to, Look look) {
+  for (int e = 0; e < system.mesh().elements(); ++e) {
+    const std::size_t i = static_cast<std::size_t>(e);
+    if (system.mesh().s[i + 1] < from || system.mesh().s[i] > to) continue;
+    for (int k = 0; k < kLooksPerElement; ++k) {
+      const double xi = (k + 0.5) / kLooksPerElement, s = system.mesh().s[i] + xi * system.mesh().length[i];
+      if (s >= from && s <= to) look(LinePlace{e, xi, s});
+    }
+  }
+}
+
+/// Keeps the deepest place of all contacts in `bed`.
+BedContactResult contact_result(BedResults& bed, const StaticSystem& system, const LineState& state,
+                                const BedContact& contact) {
+  BedContactResult result;
+  result.x_from = astern_of(system, state, contact.from);
+  result.x_to = astern_of(system, state, contact.to);
+  result.s_from = contact.from.s;
+  result.s_to = contact.to.s;
+  std::vector<Sample> depths;
+  walk_line(system, contact.to.s, contact.from.s, [&](const LinePlace& at) {
+    depths.push_back({astern_of(system, state, at), -bed_clearance(system, state, at.element, at.xi)});
+  });
+  const Sample deepest = peak(depths);
+  result.largest_penetration = deepest.value;
+  if (deepest.value > bed.largest_penetration) {
+    bed.largest_penetration = deepest.value;
+    bed.penetration_x = deepest.x;
+  }
+  return result;
+}
+
+FreeSpanResult span_result(const StaticResults& results, const StaticSystem& system, const LineState& state,
+                           const BedContactResult& before, const BedContactResult& behind) {
+  FreeSpanResult span{before.x_to, behind.x_from, before.s_to, behind.s_from};
+  span.length = span.s_from - span.s_to;
+  std::vector<Sample> gaps, moments;
+  walk_line(system, span.s_to, span.s_from, [&](const LinePlace& at) {
+    gaps.push_back({astern_of(system, state, at), bed_clearance(system, state, at.element, at.xi)});
+  });
+  for (const Station& at : results.stations) {
+    if (at.s < span.s_to || at.s > span.s_from) continue;
+    span.bending_stress = std::max(span.bending_stress, at.bending_stress);
+    moments.push_back({at.astern, at.vertical_moment});
+  }
+  const Sample gap = peak(gaps), moment = peak(moments);
+  span.largest_gap = gap.value;
+  span.gap_x = gap.x;
+  span.sagging_moment = std::max(moment.value, 0.0);
+  span.moment_x = moment.x;
+  return span;
+}
+
+void find_extremes(BedResults& bed, const StaticResults& results) {
+  std::vector<Sample> sagging, hogging;
+  for (const Station& at : results.stations) {
+    if (at.s > results.touchdown.s || at.kind == SectionKind::cable) continue;
+    bed.bending_stress = std::max(bed.bending_stress, at.bending_stress);
+    sagging.push_back({at.astern, at.vertical_moment});
+    hogging.push_back({at.astern, -at.vertical_moment});
+  }
+  const Sample sag = peak(sagging), hog = peak(hogging);
+  bed.sagging_moment = std::max(sag.value, 0.0);
+  bed.sagging_x = sag.x;
+  bed.hogging_moment = std::max(hog.value, 0.0);
+  bed.hogging_x = hog.x;
+  bed.tail_tension = results.stations.front().effective_tension;
+}
+
+/// Heights under the line from the stern shoe to the far end, every two metres, at most 2,000 of them.
+std::vector<BedHeight> bed_heights(const Model& model, const LayPlane& plane, double length) {
+  constexpr double kStep = 2.0, kMost = 2000.0;
+  const Vec3 shoe = point_from_ramp(model, model.mean_pose, Vec3::Zero());
+  const double first = plane.route.distance(shoe);
+  const int count = 2 + static_cast<int>(std::min(length / kStep, kMost));
+  std::vector<BedHeight> heights;
+  for (int i = 0; i < count; ++i) {
+    const double x = length * i / (count - 1);
+    heights.push_back({x, plane.bed(first + x) - plane.radius});
+  }
+  return heights;
+}
+
+bool outside(const BedShape& shape, const Vec3& p_W) {
+  return !shape.y.empty() && (p_W.x() < shape.x.front() || p_W.x() > shape.x.back() || p_W.y() < shape.y.front() ||
+                              p_W.y() > shape.y.back());
+}
+
+}  // namespace
+
+void recover_bed(StaticResults& results, const StaticSystem& system, const LineState& state) {
+  if (system.model().seabed.surface.shape() == nullptr) return;
+  BedResults bed;
+  for (const BedContact& contact : bed_contacts(system, state)) {
+    bed.contacts.push_back(contact_result(bed, system, state, contact));
+  }
+  if (bed.contacts.empty()) return;
+  for (std::size_t i = 1; i < bed.contacts.size(); ++i) {
+    bed.spans.push_back(span_result(results, system, state, bed.contacts[i - 1], bed.contacts[i]));
+  }
+  find_extremes(bed, results);
+  bed.heights = bed_heights(system.model(), system.plane(), results.stations.front().astern);
+  results.bed = std::move(bed);
+}
+
+void warn_of_uneven_bed(const Model& model, StaticResults& results) {
+  constexpr double kWorthSaying = 0.05;  // gaps of less hang on how the soil is modelled [m]
+  if (!results.bed) return;
+  std::vector<FreeSpanResult> spans = results.bed->spans;
+  std::erase_if(spans, [](const FreeSpanResult& span) { return span.largest_gap < kWorthSaying; });
+  if (!spans.empty()) {
+    const FreeSpanResult longest =
+        *std::ranges::max_element(spans, {}, [](const FreeSpanResult& span) { return span.length; });
+    results.findings.push_back(Finding{
+        FindingCode::free_spans,
+        fmt::format(
+            "the laid pipe has {} free span{}: the longest is {:.1f} m, from {:.1f} m astern of the stern shoe, "
+            "with a gap of {:.2f} m",
+            spans.size(), spans.size() == 1 ? "" : "s", longest.length, longest.x_from, longest.largest_gap)}
+                                   .on("pipe")
+                                   .with("length", longest.length, "m")
+                                   .with("gap", longest.largest_gap, "m"));
+  }
+  if (results.bed->hogging_moment > std::abs(results.sagbend.bending_moment.value)) {
+    results.findings.push_back(Finding{
+        FindingCode::moment_over_crest,
+        fmt::format(
+            "the seabed bends the laid pipe more than the sagbend: {:.0f} kNm hogging over the crest at {:.1f} m "
+            "astern of the stern shoe, {:.0f} kNm in the sagbend",
+            1e-3 * results.bed->hogging_moment, results.bed->hogging_x,
+            1e-3 * std::abs(results.sagbend.bending_moment.value))}
+                                   .on("pipe")
+                                   .with("moment", results.bed->hogging_moment, "N m"));
+  }
+  const BedShape& shape = *model.seabed.surface.shape();
+  const bool leaves = std::ranges::any_of(
+      results.stations, [&](const Station& at) { return at.s <= results.touchdown.s && outside(shape, at.p_W); });
+  if (leaves) {
+    results.findings.push_back(
+        {FindingCode::outside_bathymetry,
+         "the laid pipe leaves the area of environment.seabed.bathymetry; the depth beyond its edge is that of the "
+         "edge"});
+  }
+}
+
+}  // namespace overbend

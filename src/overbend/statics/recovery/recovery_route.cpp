@@ -1,0 +1,94 @@
+#include "statics/recovery/recovery_route.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/ground.h"
+#include "mechanics/quadrature.h"
+#include "mechanics/rod_element.h"
+#include "statics/solver/steady_laying.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kNoSideLoad = 1e-6;  ///< Of the line's weight: rounding, or nothing to speak of.
+
+/// Offsets and slip of what lies on the bed.
+void look_along(RouteResults& route, const StaticResults& results, const StaticSystem& system, const LineState& state) {
+  const LineMesh& mesh = system.mesh();
+  const LineEnvironment& env = system.environment();
+  const Vec3 astern = system.plane().astern_W;
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const std::size_t i = static_cast<std::size_t>(e);
+    const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
+    for (int point = 0; point < kGaussPoints; ++point) {
+      const Vec3 r = centreline(q, kGaussXi[point], mesh.length[i]).r;
+      const GroundPoint ground = ground_at(env, r);
+      const double normal = env.bed_stiffness * (system.elements().radius[i] - ground.clearance);
+      if (normal <= 0.0) continue;
+      // beyond the elastic stretch under its own weight: where it just touches, the least side load moves it
+      const double weight = system.elements().weight[i] - system.elements().buoyancy[i];
+      const double limit = env.bed_friction_lateral * std::max(normal, weight);
+      if (env.bed_stick * std::abs(ground.off_route) > limit * (1.0 + 1e-9)) {
+        route.slid_length += kGaussWeight[point] * mesh.length[i];
+      }
+      const double offset = system.plane().route.offset(r);
+      if (std::abs(offset) > std::abs(route.largest_offset)) {
+        route.largest_offset = offset;
+        route.offset_x = (r - results.stern_shoe_W).dot(astern);
+      }
+    }
+  }
+}
+
+void warn(StaticResults& results, const Model& model, const LayRoute& drawn) {
+  constexpr double kMiss = 0.01;  // [m]
+  const RouteResults& route = *results.route;
+  const double far_offset = drawn.offset(results.anchor_W);
+  if (drawn.straight() && lays_steadily(model) && std::abs(route.laid_offset - far_offset) > kMiss) {
+    results.findings.push_back(Finding{
+        FindingCode::steady_laying_not_found,
+        fmt::format("steady laying: no line was found on which the pipe comes to rest; it touches down {:.2f} m beside "
+                    "the line on which it lies, as a pipe that is pulled across after it was laid",
+                    std::abs(route.laid_offset - far_offset))}
+                                   .with("offset", std::abs(route.laid_offset - far_offset), "m"));
+  }
+  if (!route.holds) {
+    results.findings.push_back(Finding{
+        FindingCode::route_not_held,
+        fmt::format("the route does not hold: its bend has a radius of {:.0f} m, bottom tension and lateral friction "
+                    "hold {}; the "
+                    "pipe has slid sideways over {:.0f} m of its length and lies up to {:.2f} m off the route",
+                    route.radius, route.least_radius > 0.0 ? fmt::format("{:.0f} m", route.least_radius) : "none",
+                    route.slid_length, std::abs(route.largest_offset))}
+                                   .with("radius", route.radius, "m")
+                                   .with("slid_length", route.slid_length, "m"));
+  }
+}
+
+}  // namespace
+
+void recover_route(StaticResults& results, const StaticSystem& system, const LineState& state) {
+  const Model& model = system.model();
+  const LayRoute& drawn = system.plane().route;
+  const Vec3 port = system.plane().port_W;
+  RouteResults route;
+  route.side_load_bed = -(results.sum_seabed + results.anchor_reaction).dot(port);
+  route.side_load_supports = -(results.sum_rollers + results.top_reaction).dot(port);
+  const double side = std::max(std::abs(route.side_load_bed), std::abs(route.side_load_supports));
+  if (drawn.straight() && side < kNoSideLoad * results.total_weight) return;
+  const double touchdown = drawn.distance(results.touchdown.p_W);
+  const double sharpest = drawn.sharpest_behind(touchdown);
+  route.radius = sharpest > 0.0 ? 1.0 / sharpest : 0.0;
+  const double hold = model.seabed.friction_lateral * model.sections.front().weight_submerged;
+  if (hold > 0.0) route.least_radius = std::max(0.0, results.bottom_tension) / hold;
+  route.holds = sharpest == 0.0 || (hold > 0.0 && route.radius >= route.least_radius);
+  route.laid_offset = drawn.offset(results.touchdown.p_W);
+  look_along(route, results, system, state);
+  results.route = route;
+  warn(results, model, drawn);
+}
+
+}  // namespace overbend

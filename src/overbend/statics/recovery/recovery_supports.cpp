@@ -1,0 +1,313 @@
+#include "statics/recovery/recovery_supports.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/constants.h"
+#include "mechanics/contact_damage.h"
+#include "model/box_dip.h"
+#include "model/vessel/fitted_circle.h"
+
+namespace overbend {
+namespace {
+
+struct Axes {
+  Vec3 along, port;  ///< Of a box in W: along its axis astern, across to port.
+};
+
+/// Where the centreline passes the plane through a row, perpendicular to the box axis.
+struct Crossing {
+  int element = 0;
+  double xi = 0.0;
+  Vec3 p_W = Vec3::Zero();
+};
+
+/// The passage nearest to the row: a pipe passes such a plane once unless it turns back.
+std::optional<Crossing> cross_plane(const StaticSystem& system, const LineState& state, const Vec3& point_W,
+                                    const Vec3& normal_W) {
+  const LineMesh& mesh = system.mesh();
+  std::optional<Crossing> nearest;
+  const auto height = [&](int node) {
+    return normal_W.dot(Eigen::Map<const Vec3>(state.q.data() + 6 * node) - point_W);
+  };
+  double before = height(0);
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const double after = height(e + 1);
+    if (before > 0.0 && after <= 0.0) {  // the line runs towards the barge, the box axis astern
+      const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
+      const double h = mesh.length[static_cast<std::size_t>(e)];
+      double low = 0.0, high = 1.0;
+      for (int i = 0; i < 55; ++i) {
+        const double middle = 0.5 * (low + high);
+        (normal_W.dot(centreline(q, middle, h).r - point_W) > 0.0 ? low : high) = middle;
+      }
+      const Crossing crossing{e, high, centreline(q, high, h).r};
+      if (!nearest || (crossing.p_W - point_W).norm() < (nearest->p_W - point_W).norm()) {
+        nearest = crossing;
+      }
+    }
+    before = after;
+  }
+  return nearest;
+}
+
+RollerResult recover_roller(const Roller& roller, const Section& pipe, const PlacedRoller& placed,
+                            const RollerContact& state, const ClosestPoint& at, const Axes& axes) {
+  RollerResult result;
+  result.position = roller.position;
+  result.reaction = state.normal;
+  const Vec3 force = state.force();
+  result.vertical = force.z();
+  result.longitudinal = force.dot(axes.along);
+  result.lateral = force.dot(axes.port);
+  result.off_end = at.beyond_face ? at.off_end : 0.0;
+  result.p_W = placed.center + placed.radius * placed.normal;
+  result.normal_W = placed.normal;
+  result.axis_W = placed.axis;
+  result.radius = roller.radius;
+  result.face = roller.face;
+  result.line_load = line_load(state.normal, contact_length(roller.face, pipe.outer_diameter, pipe.steel_diameter));
+  return result;
+}
+
+/// The pipe as a roller sees it.
+struct Nearest {
+  Vec3 p_W = Vec3::Zero();  ///< Point of the centreline.
+  double gap = 0.0;         ///< Clear distance, negative for penetration [m].
+};
+
+/// A pipe that does not pass the roller is nearest with one of its ends.
+Nearest nearest_end(const StaticSystem& system, const LineState& state, const PlacedRoller& placed) {
+  Nearest nearest;
+  nearest.gap = kInfinity;
+  for (const int node : {0, system.mesh().elements()}) {
+    const Vec3 end = Eigen::Map<const Vec3>(state.q.data() + 6 * node);
+    const Vec3 from = end - placed.center;
+    const double along = std::clamp(from.dot(placed.axis), -placed.half_face, placed.half_face);
+    const std::size_t e = static_cast<std::size_t>(std::min(node, system.mesh().elements() - 1));
+    const double gap = (from - along * placed.axis).norm() - placed.radius - system.elements().radius[e];
+    if (gap < nearest.gap) nearest = {end, gap};
+  }
+  return nearest;
+}
+
+/// Along the closest direction between centreline and roller, as the contact is: a roller that carries has its
+/// penetration.
+Nearest nearest_to(const StaticSystem& system, const LineState& state, const PlacedRoller& placed,
+                   const ClosestPoint& at) {
+  if (!at.found) return nearest_end(system, state, placed);
+  const std::size_t e = static_cast<std::size_t>(at.element);
+  const double distance = roller_distance(placed, at).value;
+  return {at.place, distance - placed.radius - system.elements().radius[e]};
+}
+
+struct RowTotals {
+  Vec3 force = Vec3::Zero();
+  bool contact = false;
+  double last_s = kInfinity;  ///< Of the contact nearest to the seabed.
+  /// How far the pipe lies beyond the end of a bottom roller that it has left, negative to starboard [m].
+  std::optional<double> beside = {};
+  double clearance = 0.0;  ///< Over the first roller, see StaticResults::stinger_tip_clearance [m].
+};
+
+RowTotals recover_row(RowResult& result, const SupportRow& row, const StaticSystem& system, const LineState& state,
+                      const Axes& axes) {
+  const Model& model = system.model();
+  RowTotals totals;
+  result.p_W = point_from_ramp(model, model.mean_pose, row.point_S);
+  const std::optional<Crossing> crossing = cross_plane(system, state, result.p_W, axes.along);
+  const LineMesh& mesh = system.mesh();
+  result.s = -1.0;
+  double pipe_radius = model.sections[static_cast<std::size_t>(model.section_at(row.from_top))].outer_radius();
+  if (crossing) {
+    const std::size_t e = static_cast<std::size_t>(crossing->element);
+    result.s = mesh.s[e] + crossing->xi * mesh.length[e];
+    pipe_radius = system.elements().radius[e];
+  }
+  for (int i = row.first_roller; i < row.first_roller + row.roller_count; ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const RollerContact& contact = system.contacts()[k];
+    const PlacedRoller& placed = system.rollers().placed(i);
+    const ClosestPoint at = closest_to_roller(system, state, i);
+    RollerResult roller = recover_roller(model.supports.rollers[k], model.section_over(model.supports.rollers[k]),
+                                         placed, contact, at, axes);
+    const Nearest nearest = nearest_to(system, state, placed, at);
+    roller.separation = nearest.gap;
+    const bool left = lies_beside(roller.position, placed, at, pipe_radius);
+    if (i == row.first_roller) {
+      totals.clearance = left && at.found ? height_over(placed, at, pipe_radius) : roller.separation;
+    }
+    if (left) {
+      totals.beside = std::copysign(roller.off_end, (nearest.p_W - roller.p_W).dot(axes.port));
+    }
+    if (contact.normal > 0.0) {
+      const std::size_t e = static_cast<std::size_t>(contact.at.element);
+      totals.force += contact.force();
+      totals.contact = true;
+      totals.last_s = std::min(totals.last_s, mesh.s[e] + contact.at.xi * mesh.length[e]);
+    }
+    result.rollers.push_back(roller);
+  }
+  result.reaction = totals.force.norm();
+  return totals;
+}
+
+/// Largest pipe loads over the box's length, which may lie between two stations: at its ends and in its middle they are
+/// linear between those. Nothing where the pipe does not pass the box.
+void pipe_over_box(SupportResult& box, const std::vector<Station>& stations) {
+  if (box.s < 0.0) return;
+  const auto take = [&](double Station::*load, double SupportResult::*largest) {
+    const auto at_place = [&](double s) {
+      const auto after = std::ranges::lower_bound(stations, s, {}, &Station::s);
+      if (after == stations.begin() || after == stations.end()) return 0.0;
+      const Station &above = *after, &below = *(after - 1);
+      return below.*load + (s - below.s) / (above.s - below.s) * (above.*load - below.*load);
+    };
+    const double reach = 0.5 * box.length + 0.3;
+    for (const double s : {box.s - reach, box.s, box.s + reach}) box.*largest = std::max(box.*largest, at_place(s));
+    for (const Station& at : stations) {
+      if (std::abs(at.s - box.s) <= reach) box.*largest = std::max(box.*largest, at.*load);
+    }
+  };
+  take(&Station::effective_tension, &SupportResult::effective_tension);
+  take(&Station::bending_moment, &SupportResult::bending_moment);
+  take(&Station::bending_stress, &SupportResult::bending_stress);
+  take(&Station::von_mises, &SupportResult::von_mises);
+  take(&Station::strain, &SupportResult::strain);
+}
+
+void smallest_separations(SupportResult& box) {
+  double bottom = kInfinity, side = kInfinity;
+  for (const RowResult& row : box.rows) {
+    for (const RollerResult& roller : row.rollers) {
+      double& least = roller.position == RollerPosition::bottom ? bottom : side;
+      least = std::min(least, roller.separation);
+    }
+  }
+  box.has_sides = side < kInfinity;
+  box.separation = bottom;
+  box.separation_lateral = box.has_sides ? side : 0.0;
+}
+
+void note_runoff(StaticResults& results, const SupportResult& box) {
+  for (const RowResult& row : box.rows) {
+    for (const RollerResult& roller : row.rollers) {
+      if (roller.off_end > 0.0 && roller.reaction > 0.0) {
+        results.findings.push_back(
+            Finding{FindingCode::pipe_at_roller_end,
+                    "the pipe runs off the end of a roller: " + box.name + ", " + word(roller.position) +
+                        " roller, by " + std::to_string(static_cast<int>(std::lround(1e3 * roller.off_end))) + " mm"}
+                .on(box.name)
+                .with("distance", roller.off_end, "m"));
+      }
+    }
+  }
+}
+
+/// Boxes that the pipe lies beside, on one side of them.
+struct BoxesLeft {
+  const char* side;
+  std::string first = {};  ///< Seen from the tensioner.
+  int more = 0;            ///< After it.
+  double beside = 0.0;     ///< The furthest [m].
+
+  void add(const std::string& box, double distance) {
+    more += first.empty() ? 0 : 1;
+    first = first.empty() ? box : first;
+    beside = std::max(beside, distance);
+  }
+  void note(StaticResults& results) const {
+    if (first.empty()) return;
+    results.findings.push_back(Finding{
+        FindingCode::pipe_off_rollers,
+        fmt::format("the pipe has left '{}'{} over the side to {}: it lies up to {:.2f} m beyond the ends of the "
+                    "bottom rollers, "
+                    "which no longer hold it{}",
+                    first, more > 0 ? fmt::format(" and {} more box{}", more, more > 1 ? "es" : "") : "", side, beside,
+                    2 * (more + 1) > static_cast<int>(results.supports.size())
+                        ? ". No equilibrium was found on most of its rollers: this is hardly the lay that is meant, "
+                          "and a run may "
+                          "depart from it; check tension, current and the places of the boxes"
+                        : "")}
+                                   .on(first)
+                                   .with("distance", beside, "m")
+                                   .with("boxes", more + 1, "1"));
+  }
+};
+
+void note_extremes(StaticResults& results, const StaticSystem& system) {
+  results.smallest_separation = results.supports.empty() ? 0.0 : kInfinity;
+  for (const SupportResult& box : results.supports) {
+    results.smallest_separation = std::min(results.smallest_separation, box.separation);
+    for (const RowResult& row : box.rows) {
+      for (const RollerResult& roller : row.rollers) {
+        if (roller.reaction > results.largest_reaction) {
+          results.largest_reaction = roller.reaction;
+          results.largest_reaction_support = box.name;
+        }
+      }
+    }
+  }
+  for (int i = 0; i < system.rollers().count(); ++i) {
+    results.roller_stiffness = std::max(results.roller_stiffness, system.rollers().roller(i).law.stiffness);
+  }
+  for (const RollerContact& contact : system.contacts()) {
+    results.largest_penetration = std::max(results.largest_penetration, contact.penetration);
+  }
+}
+
+}  // namespace
+
+Departure recover_supports(StaticResults& results, const StaticSystem& system, const LineState& state) {
+  const Model& model = system.model();
+  Departure departure;
+  departure.s = kInfinity;
+  BoxesLeft to_port{"port"}, to_starboard{"starboard"};
+  for (const SupportBox& box : model.supports.boxes) {
+    const Axes axes{direction_from_ramp(model.mean_pose, box.direction_S),
+                    direction_from_ramp(model.mean_pose, Vec3(0.0, -1.0, 0.0))};
+    SupportResult result;
+    result.name = box.name;
+    result.stinger = box.structure == Structure::stinger;
+    result.p_W = point_from_ramp(model, model.mean_pose, box.point_S);
+    result.astern = box.point_S.x();
+    result.inclination = box_dip(model.mean_pose, box);
+    result.length = box.length;
+    Vec3 force = Vec3::Zero();
+    std::optional<double> beside;
+    double clearance = 0.0;
+    for (int r = box.first_row; r < box.first_row + box.row_count; ++r) {
+      RowResult row;
+      const RowTotals totals = recover_row(row, model.supports.rows[static_cast<std::size_t>(r)], system, state, axes);
+      force += totals.force;
+      if (totals.beside && std::abs(*totals.beside) >= std::abs(beside.value_or(0.0))) beside = totals.beside;
+      clearance = totals.clearance;
+      if (totals.contact && totals.last_s < departure.s) {
+        departure = {true, totals.last_s, box.name};
+      }
+      result.rows.push_back(row);
+    }
+    result.s = result.rows[result.rows.size() / 2].s;
+    result.reaction = force.norm();
+    result.vertical = force.z();
+    result.longitudinal = force.dot(axes.along);
+    result.lateral = force.dot(axes.port);
+    smallest_separations(result);
+    pipe_over_box(result, results.stations);
+    note_runoff(results, result);
+    if (beside) (std::signbit(*beside) ? to_starboard : to_port).add(box.name, std::abs(*beside));
+    if (result.stinger) results.stinger_tip_clearance = clearance;
+    results.supports.push_back(std::move(result));
+  }
+  to_port.note(results);
+  to_starboard.note(results);
+  results.ramp_fitted_radius = fitted_radius(model.supports, Structure::ramp);
+  results.stinger_fitted_radius = fitted_radius(model.supports, Structure::stinger);
+  note_extremes(results, system);
+  return departure;
+}
+
+}  // namespace overbend

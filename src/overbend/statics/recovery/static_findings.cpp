@@ -1,0 +1,249 @@
+#include "statics/recovery/static_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "base/constants.h"
+#include "model/lay_stage.h"
+#include "model/material_words.h"
+#include "results/regions.h"
+#include "results/result_words.h"
+#include "statics/solver/support_outlier.h"
+
+namespace overbend {
+namespace {
+
+void warn_of_slack(Findings& list, const StaticResults& results) {
+  if (results.smallest_tension.value >= 0.0) return;
+  list.push_back(Finding{
+      FindingCode::compression,
+      fmt::format("compression: the effective tension falls to {:.2f} kN {}; a pipe in compression may buckle, which "
+                  "the model represents only as far as its mesh allows",
+                  1e-3 * results.smallest_tension.value, pipe_place(results, results.smallest_tension.s))}
+                     .on("pipe")
+                     .at_place(results.total_length - results.smallest_tension.s)
+                     .with("effective_tension", results.smallest_tension.value, "N"));
+}
+
+void warn_of_yield(Findings& list, const Model& model, const StaticResults& results) {
+  const Station* worst = nullptr;
+  for (const Station& at : results.stations) {
+    const Section& section = model.sections[static_cast<std::size_t>(model.section_at(results.total_length - at.s))];
+    if (section.bending || section.kind == SectionKind::structure || at.yield_stress <= 0.0 ||
+        at.von_mises <= at.yield_stress) {
+      continue;
+    }
+    if (worst == nullptr || at.von_mises / at.yield_stress > worst->von_mises / worst->yield_stress) worst = &at;
+  }
+  if (worst == nullptr) return;
+  list.push_back(Finding{
+      FindingCode::yield_with_linear_steel,
+      fmt::format("the von Mises stress of {:.0f} MPa {} exceeds the yield stress of {:.0f} MPa; the steel is linear "
+                  "elastic here, "
+                  "so stress and moment beyond yield are those of a pipe that does not yield (see pipe.steel.material)",
+                  1e-6 * worst->von_mises, pipe_place(results, worst->s), 1e-6 * worst->yield_stress)}
+                     .on("pipe")
+                     .at_place(results.total_length - worst->s)
+                     .with("von_mises", worst->von_mises, "Pa"));
+}
+
+/// Largest strain of pipe within two diameters of a stretch, given from the tensioner [-].
+double max_strain_beside(const StaticResults& results, const SectionSpan& span, double diameter) {
+  double strain = 0.0;
+  for (const Station& station : results.stations) {
+    const double from_top = results.total_length - station.s;
+    const double off = std::max(span.from - from_top, from_top - span.to);
+    if (off > 0.0 && off < 2.0 * diameter && station.kind == SectionKind::pipe) {
+      strain = std::max(strain, station.strain);
+    }
+  }
+  return strain;
+}
+
+/// A structure or a thicker segment takes the strain that it concentrates in yielding pipe along: its one place here
+/// has not the history of its passage.
+void warn_of_strain_beside_stiff_stretches(Findings& list, const Model& model, const StaticResults& results) {
+  const bool own_history = model.description.stage || model.description.statics.history != LayHistory::laying;
+  const Section& pipe = model.sections.front();
+  if (own_history || !pipe.bending) return;
+  for (const SectionSpan& span : model.spans) {
+    const Section& section = model.sections[static_cast<std::size_t>(span.section)];
+    const bool concentrates = section.kind == SectionKind::structure || section.kind == SectionKind::pipe;
+    if (!concentrates || span.section == model.coated || section.EI < 1.05 * pipe.EI) continue;
+    const double strain = max_strain_beside(results, span, pipe.outer_diameter);
+    if (strain <= pipe.yield_stress / pipe.youngs_modulus) continue;
+    list.push_back(Finding{
+        FindingCode::strain_next_to_stiff_section,
+        fmt::format(
+            "the strain of {:.3f} % beside '{}' is too low: the pipe there yields, and on its way over the supports "
+            "the "
+            "stiffer stretch has bent it more than this one place shows; solve its passage (operation.type: passage)",
+            100.0 * strain, section.name)}
+                       .on(section.name)
+                       .with("strain", strain, "1"));
+  }
+}
+
+/// "'a', 'b' and 2 more"
+std::string names_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kShown = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kShown); ++i) text += (i == 0 ? "'" : ", '") + names[i] + "'";
+  return names.size() > kShown ? text + fmt::format(" and {} more", names.size() - kShown) : text;
+}
+
+/// Boxes with a roller whose lowest point lies under the bed.
+void warn_of_bed(Findings& list, const Model& model) {
+  std::vector<std::string> below;
+  for (const SupportBox& box : model.supports.boxes) {
+    const Vec3 point = point_from_ramp(model, model.mean_pose, box.point_S);
+    if (point.z() < model.seabed.surface.height(point.x(), point.y())) below.push_back(box.name);
+  }
+  if (below.empty()) return;
+  const bool tip =
+      model.supports.boxes.back().structure == Structure::stinger && below.back() == model.supports.boxes.back().name;
+  list.push_back(Finding{FindingCode::rollers_below_seabed,
+                         fmt::format("rollers are below the seabed: {}{}; the seabed neither supports nor moves them",
+                                     names_of(below), tip ? ", the stinger's tip among them" : "")}
+                     .on(below.front())
+                     .with("boxes", static_cast<double>(below.size()), "1"));
+}
+
+void warn_of_shoe(Findings& list, const Model& model) {
+  const double height = point_from_ramp(model, model.mean_pose, Vec3::Zero()).z();
+  if (height >= 0.0) return;
+  list.push_back(
+      Finding{FindingCode::stern_shoe_below_water,
+              fmt::format("the stern shoe is {:.2f} m below the water; ramp and stinger depend on it, so check "
+                          "vessel.stern_shoe.z, the trim and the draught",
+                          -height)}
+          .on("vessel")
+          .with("depth", -height, "m"));
+}
+
+/// A clamped tensioner that does not point towards the first box.
+void warn_of_incline(Findings& list, const Model& model) {
+  const TensionerDescription& tensioner = model.description.tensioner;
+  if (model.supports.boxes.empty() || tensioner.guide != Guide::clamped) return;
+  const Vec3& box = model.supports.boxes.front().point_S;
+  const double dx = box.x() - tensioner.x, dz = box.z() + 0.5 * model.sections.front().outer_diameter - tensioner.z;
+  const double off = tensioner.incline - std::atan2(-dz, dx), bend = 2.0 * std::abs(off) / std::hypot(dx, dz);
+  const SteelDescription& steel = model.description_of(static_cast<std::size_t>(model.section_at(0.0))).steel;
+  const double yields_at = 2.0 * steel.yield_stress / (steel.youngs_modulus * steel.outside_diameter);
+  if (std::abs(off) < 5.0 * kDegree || bend < 1.5 * yields_at) return;
+  list.push_back(
+      Finding{FindingCode::tensioner_incline,
+              fmt::format("the tensioner holds the pipe at {:.1f} deg while the first box lies {:.1f} deg {} it: check "
+                          "tensioner.incline "
+                          "and the place of the tensioner",
+                          tensioner.incline * kToDegrees, std::abs(std::atan2(dz, dx)) * kToDegrees,
+                          dz < 0.0 ? "below" : "above")}
+          .on("tensioner")
+          .with("angle", off, "rad"));
+}
+
+/// Concrete that stops at the field joints makes the pipe bend most there.
+void warn_of_field_joints(Findings& list, const Model& model) {
+  const SectionDescription& pipe = model.description.pipe.section;
+  constexpr double kConcrete = 15e3;  // foam and rubber weigh less [N/m3]
+  if (!pipe.joint || pipe.joint->field_joint <= 0.0) return;
+  if (pipe.coatings.empty() || pipe.coatings.back().weight_density < kConcrete) return;
+  if (pipe.joint->strain_factor || pipe.joint->coated_stiffness > 1.0) return;
+  list.push_back(Finding{
+      FindingCode::field_joint_strain_missing,
+      "the strain concentration at the field joints is missing: the coating between them stiffens the pipe and "
+      "concentrates strain at the joints, but neither pipe.joint.strain_factor nor pipe.joint.coated_stiffness is "
+      "given; the strain checks use a factor of 1"}
+                     .on("pipe"));
+}
+
+/// Structures that the line, or the pipe of a start-up, ends before or in.
+void warn_of_structures_beyond(Findings& list, const Model& model, const StaticResults& results) {
+  const double last = pipe_ends(model.description), end = std::min(results.total_length, last);
+  for (const StructureDescription& structure : model.description.pipe.structures) {
+    if (!structure.at) continue;
+    const double middle = *structure.at + pipe_gone(model.description), half = 0.5 * structure.length;
+    if (middle + half < end) continue;
+    list.push_back(Finding{FindingCode::structure_beyond_end,
+                           fmt::format("the structure '{}' (at: {:.6g} m) {}{}", structure.name, *structure.at,
+                                       middle - half < end ? "reaches beyond the end of the line, where it is cut off"
+                                                           : "lies beyond the end of the line, which has nothing of it",
+                                       end < last ? "; a pipe.length that reaches further keeps it in"
+                                                  : ": the pipe ends before it at its head")}
+                       .on(structure.name));
+  }
+}
+
+/// A bed on whose slope the laid pipe would slide along itself: statics hold its far end.
+void warn_of_slope(Findings& list, const Model& model, const StaticResults& results) {
+  const BedSurface& bed = model.seabed.surface;
+  if (bed.shape() != nullptr || results.stations.size() < 2) return;
+  const Vec3 from = results.stations.back().p_W, to = results.stations.front().p_W;
+  const Vec3 along = Vec3(to.x() - from.x(), to.y() - from.y(), 0.0).normalized();
+  const double fall = -bed.slope(to.x(), to.y(), along), friction = model.seabed.friction_axial;
+  if (std::abs(fall) <= std::max(friction, 1e-6)) return;
+  list.push_back(
+      Finding{FindingCode::laid_pipe_slides,
+              fmt::format("the laid pipe slides on its bed, which {} astern by {:.3g} deg: axial friction of {:.3g} "
+                          "does not hold it, so "
+                          "that its tension depends on where its far end is held (environment.seabed.friction.axial)",
+                          fall > 0.0 ? "falls" : "rises", std::abs(std::atan(fall)) / kDegree, friction)}
+          .on("pipe")
+          .with("slope", std::atan(fall), "rad"));
+}
+
+/// A bed that rises out of the water where the pipe lies on it. Stations run from the anchor.
+void warn_of_land(Findings& list, const Model& model, const StaticResults& results) {
+  const BedSurface& bed = model.seabed.surface;
+  const auto dry = [&](const Station& station) {
+    return station.s <= results.touchdown.s && bed.height(station.p_W.x(), station.p_W.y()) > 0.0;
+  };
+  const auto landmost = std::find_if(results.stations.rbegin(), results.stations.rend(), dry);
+  if (results.touchdown.s <= 0.0 || landmost == results.stations.rend()) return;
+  const bool whole = bed.height(results.touchdown.p_W.x(), results.touchdown.p_W.y()) > 0.0;
+  list.push_back(Finding{
+      FindingCode::seabed_above_water,
+      fmt::format("the seabed leaves the water under the laid pipe, which {} from {:.1f} m astern of the stern shoe "
+                  "on: is the slope, "
+                  "or the depth of the file, of the right sign?",
+                  whole ? "touches down on land and lies there" : "lies on land", landmost->astern)}
+                     .on("pipe")
+                     .with("distance", landmost->astern, "m"));
+}
+
+}  // namespace
+
+std::string pipe_place(const StaticResults& results, double s) {
+  return fmt::format("{:.1f} m from the tensioner ({})", results.total_length - s, word(regions(results).of(s)));
+}
+
+Findings lay_findings(const Model& model) {
+  Findings list;
+  warn_of_bed(list, model);
+  warn_of_shoe(list, model);
+  if (const auto outlier = support_outlier(model)) {
+    list.push_back(Finding{FindingCode::support_out_of_line, outlier_words(*outlier)}
+                       .on(outlier->name)
+                       .with("height", outlier->height, "m"));
+  }
+  warn_of_incline(list, model);
+  warn_of_field_joints(list, model);
+  std::ranges::copy(material_findings(model), std::back_inserter(list));
+  return list;
+}
+
+void warn_statics(const Model& model, StaticResults& results) {
+  Findings& list = results.findings;
+  warn_of_slack(list, results);
+  warn_of_yield(list, model, results);
+  warn_of_strain_beside_stiff_stretches(list, model, results);
+  append(list, lay_findings(model));
+  warn_of_structures_beyond(list, model, results);
+  warn_of_slope(list, model, results);
+  warn_of_land(list, model, results);
+}
+
+}  // namespace overbend

@@ -1,0 +1,26 @@
+/// From the lines of a model that stand by themselves to a system and a first guess of its shape.
+#pragma once
+
+#include "statics/initial_shape/cable_start.h"
+#include "statics/solver/lines_statics.h"
+#include "system/system.h"
+
+namespace overbend {
+
+/// Lines with what holds their ends; `system.surroundings` is that of rest: the vessel in its mean pose, ends at their
+/// mean places. Attachments 2 i and 2 i + 1 are the first and the second end of line i; the vessel is body 0. Points
+/// into `model`, which must outlive it.
+struct LinesSetup {
+  System system;
+  std::vector<std::vector<double>> start;  ///< First guess, six per node, line by line.
+};
+
+LinesSetup lines_setup(const Model& model);
+
+/// A state with the shapes of the first guess, at rest at `time`.
+SystemState start_of(const LinesSetup& setup, double time);
+
+/// Mean place of an end, W [m].
+Vec3 end_place(const Model& model, const LineEndDescription& end);
+
+}  // namespace overbend

@@ -1,0 +1,86 @@
+#include "statics/solver/support_line.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "base/constants.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kFarthestBox = 1000.0;                  ///< The longest pipelay vessels measure half of it [m].
+constexpr double kLargestTurn = 0.5 * std::numbers::pi;  ///< Of the support line at one box [rad].
+constexpr double kLeastOffset = 15.0;                    ///< A sign mistaken on an ordinary stinger is left alone [m].
+
+/// Angle by which the line a, b, c turns at b [rad].
+double turn(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 before = b - a, after = c - b;
+  return std::atan2(before.cross(after).norm(), before.dot(after));
+}
+
+/// Largest turn along the points without the one at `left_out`.
+double largest_turn(const std::vector<Vec3>& points, std::size_t left_out) {
+  std::vector<Vec3> rest = points;
+  if (left_out < rest.size()) {
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(left_out));
+  }
+  double largest = 0.0;
+  for (std::size_t i = 1; i + 1 < rest.size(); ++i) {
+    largest = std::max(largest, turn(rest[i - 1], rest[i], rest[i + 1]));
+  }
+  return largest;
+}
+
+/// Distance of a point from the line through its neighbours, at the end through the two before it [m].
+double off_neighbours(const std::vector<Vec3>& points, std::size_t i) {
+  const bool last = i + 1 == points.size();
+  const Vec3& from = points[last ? i - 2 : i - 1];
+  const Vec3 along = (points[last ? i - 1 : i + 1] - from).normalized();
+  const Vec3 off = points[i] - from;
+  return (off - off.dot(along) * along).norm();
+}
+
+/// The box without which the line turns least; points begin with the tensioner.
+std::size_t strayed(const std::vector<Vec3>& points) {
+  std::size_t found = 1;
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    found = largest_turn(points, i) < largest_turn(points, found) ? i : found;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<StaticFailure> misplaced_box(const Model& model, const LayPlane& plane) {
+  std::vector<Vec3> points{plane.tensioner_W};
+  for (const SupportBox& box : model.supports.boxes) {
+    points.push_back(point_from_ramp(model, model.mean_pose, box.point_S));
+    const double far = (points.back() - plane.tensioner_W).norm();
+    if (far > kFarthestBox) {
+      return StaticFailure{"a box is out of the pipe's reach", fmt::format("box '{}'", box.name),
+                           fmt::format("it is {:.0f} m from the tensioner; ramps and stingers extend no farther than "
+                                       "{:.0f} m: check its x and z, and their units",
+                                       far, kFarthestBox)};
+    }
+  }
+  const double sharpest = largest_turn(points, points.size());
+  if (sharpest <= kLargestTurn) {
+    return std::nullopt;
+  }
+  const std::size_t worst = strayed(points);
+  const double off = off_neighbours(points, worst);
+  if (off < kLeastOffset) {
+    return std::nullopt;
+  }
+  const SupportBox& box = model.supports.boxes[worst - 1];
+  return StaticFailure{"a box is far off the line of its neighbours", fmt::format("box '{}'", box.name),
+                       fmt::format("at x = {:.3f} m, z = {:.3f} m it is {:.1f} m off that line, which turns by {:.0f} "
+                                   "degrees, too sharply for any pipe: check its x and z, and their units",
+                                   box.point_S.x(), box.point_S.z(), off, sharpest * kToDegrees)};
+}
+
+}  // namespace overbend

@@ -1,0 +1,95 @@
+#include "study/campaign/study_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <stdexcept>
+
+#include "base/units.h"
+#include "model/waves/wave_theory.h"
+
+namespace overbend {
+namespace {
+
+/// "KEY: message" of a model's findings on one of the keys.
+std::set<std::string> about(const std::vector<KeySetting>& keys, const Findings& findings) {
+  std::set<std::string> found;
+  for (const Finding& finding : findings) {
+    for (const KeySetting& setting : keys) {
+      if (finding.object != setting.key) continue;
+      found.insert(finding.message.substr(finding.message.find(setting.key + ": ")));
+    }
+  }
+  return found;
+}
+
+bool is_random(const WavesDescription& waves) {
+  return waves.type != WaveType::none && waves.type != WaveType::airy && waves.type != WaveType::stokes5;
+}
+
+bool follows_rule(const WavesDescription& waves) {
+  return waves.type == WaveType::jonswap && !waves.gamma;
+}
+
+/// Height or period of a case, as one of its keys sets it.
+double set_value(const std::vector<KeySetting>& keys, const std::string& key, const std::string& unit,
+                 double otherwise) {
+  for (const KeySetting& setting : keys) {
+    if (setting.key == key) return parse_quantity(setting.value, unit).value.value_or(otherwise);
+  }
+  return otherwise;
+}
+
+/// Seas whose shape changes with their height: a higher sea may load the pipe less.
+std::optional<std::string> gamma_remark(const WavesDescription& waves, const StudyCases& cases) {
+  constexpr std::size_t kMostLooked = 20'000;
+  if (!follows_rule(waves)) return std::nullopt;
+  std::vector<double> gammas;
+  for (std::size_t number = 0; number < std::min(cases.count(), kMostLooked); ++number) {
+    const std::vector<KeySetting> keys = cases.question(number).keys;
+    gammas.push_back(jonswap_gamma(set_value(keys, "environment.waves.hs", "m", waves.hs),
+                                   set_value(keys, "environment.waves.tp", "s", waves.tp)));
+  }
+  const auto [least, most] = std::minmax_element(gammas.begin(), gammas.end());
+  if (*most - *least < 0.01) return std::nullopt;
+  return fmt::format(
+      "the peak enhancement of JONSWAP follows height and period by the rule of DNV-RP-C205, from {:.3g} to {:.3g} in "
+      "this "
+      "study: seas of different height have different shapes, and a higher one may load the pipe less; give "
+      "environment.waves.gamma to compare seas of one shape",
+      *least, *most);
+}
+
+}  // namespace
+
+Findings study_findings(const CaseBase& base, const StudyCases& cases) {
+  std::set<std::string> common;
+  bool looked = false, random = false;
+  WavesDescription waves;
+  for (const std::size_t number : std::set<std::size_t>{0, cases.count() / 2, cases.count() - 1}) {
+    const std::vector<KeySetting> keys = cases.question(number).keys;
+    try {
+      const Description description = base.described(keys, false);
+      std::set<std::string> found = about(keys, description.findings);
+      if (looked) std::erase_if(found, [&](const std::string& words) { return !common.contains(words); });
+      common = std::move(found);
+      looked = true;
+      random = random || is_random(description.environment.waves);
+      waves = description.environment.waves;
+    } catch (const std::runtime_error&) {  // the case itself says why
+    }
+  }
+  Findings findings;
+  for (const std::string& message : common) findings.push_back({FindingCode::unusual_input, message});
+  if (looked && !random && cases.seeds() > 1) {
+    findings.push_back({FindingCode::sea_not_random, "the sea is not random: all seeds give the same results"});
+  }
+  if (std::optional<std::string> remark = gamma_remark(waves, cases)) {
+    findings.push_back({FindingCode::study_inputs, std::move(*remark)});
+  }
+  return findings;
+}
+
+}  // namespace overbend

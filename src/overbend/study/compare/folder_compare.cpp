@@ -1,0 +1,258 @@
+#include "study/compare/folder_compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/json.h"
+#include "modelfile/yaml/model_differences.h"
+#include "resultfiles/dynamic/dynamic_reader.h"
+#include "resultfiles/stages/operation_reader.h"
+#include "results/fields/check_fields.h"
+#include "results/findings.h"
+#include "study/compare/dynamic_values.h"
+#include "study/compare/folder_figures.h"
+#include "study/compare/moored_values.h"
+#include "study/sensitivity/result_values.h"
+
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is read of a folder.
+struct Read {
+  ComparedFolder folder;
+  std::string model_text;
+  std::vector<ResultValue> values;
+  FolderCurves curves;
+};
+
+const char* words_of(ResultsKind kind) {
+  switch (kind) {
+    case ResultsKind::statics:
+      return "a static analysis";
+    case ResultsKind::dynamics:
+      return "a dynamic analysis";
+    case ResultsKind::seeds:
+      return "several seeds";
+    default:
+      return "an operation on the line";
+  }
+}
+
+Json summary_of(const fs::path& folder) {
+  return read_json_file(folder / "summary.json");
+}
+
+/// Utilisations by the checks' own names: which stand in a list, and where, hangs on the model.
+void take_checks(Read& read, const std::string& front, const CheckTable& checks) {
+  for (const CheckRow& row : checks.rows) {
+    if (!row.judged()) continue;
+    const std::string where = word(row.region);
+    read.values.push_back({fmt::format("{}checks.{}[{}].utilisation", front, row.id, where),
+                           row.name + ", " + row.code + ", " + where, "1", row.utilisation, false});
+  }
+}
+
+void append(std::vector<ResultValue>& values, std::vector<ResultValue>&& more) {
+  std::ranges::move(more, std::back_inserter(values));
+}
+
+void take_pipe(Read& read, const StaticResults& results) {
+  if (const CheckRow* worst = worst_check(results.checks)) read.folder.governing = worst->name;
+  read.values = result_values(results);
+  std::erase_if(read.values, [](const ResultValue& value) { return value.name.starts_with("checks.list["); });
+  take_checks(read, "", results.checks);
+  add_curves(read.curves, results);
+}
+
+void take_statics(Read& read, const StoredStatics& stored) {
+  read.model_text = stored.model_text;
+  read.folder.title = stored.results.title;
+  read.folder.version = stored.results.version;
+  read.folder.findings = static_findings(stored.results);
+  if (stored.results.has_pipe()) take_pipe(read, stored.results);
+  if (stored.results.moorings) append(read.values, mooring_values(*stored.results.moorings));
+}
+
+void take_dynamics(Read& read, const fs::path& h5) {
+  const StoredDynamics stored = read_dynamic_results(h5);
+  take_statics(read, stored.statics);
+  if (stored.statics.results.has_pipe()) append(read.values, dynamic_values(stored.statics.results, stored.results));
+  append(read.values, moored_dynamic_values(stored.results));
+  take_checks(read, "dynamic.", stored.results.checks);
+  read.folder.findings = all_findings(stored.statics.results, stored.results);
+  if (const CheckRow* worst = worst_check(stored.results.checks)) read.folder.governing = worst->name;
+  add_curves(read.curves, stored.statics.results, stored.results);
+}
+
+void take_run(Read& read, const fs::path& h5) {
+  if (has_dynamic(h5)) {
+    read.folder.kind = ResultsKind::dynamics;
+    take_dynamics(read, h5);
+  } else {
+    take_statics(read, read_rest(h5));
+  }
+}
+
+/// Names of the stages that can be compared: their key values.
+void take_operation(Read& read, const fs::path& h5) {
+  const StoredOperation stored = read_operation_results(h5);
+  read.model_text = stored.model_text;
+  read.folder.title = stored.results.title;
+  read.folder.version = stored.results.version;
+  read.folder.findings = operation_findings(stored.results);
+  for (const StageResult& stage : stored.results.stages) {
+    if (!stage.lay) continue;
+    for (ResultValue value : result_values(*stage.lay)) {
+      if (!value.key) continue;
+      value.name = "operation.stages[" + stage.stage.name + "]." + value.name;
+      value.text = stage.stage.name + ": " + value.text;
+      read.values.push_back(std::move(value));
+    }
+  }
+}
+
+void take_seeds(Read& read, const fs::path& folder, const Json& summary) {
+  const Json& seeds = summary["seeds"];
+  for (const Json& run : seeds["runs"]) {
+    read.folder.findings = merge(std::move(read.folder.findings), read_findings(run["findings"]));
+  }
+  if (seeds["runs"].empty()) throw std::runtime_error(folder.string() + ": none of its seeds has results");
+  const fs::path first = folder / seeds["runs"][0]["folder"].get<std::string>() / "results.h5";
+  const Findings findings = read.folder.findings;
+  take_statics(read, read_rest(first));
+  read.folder.findings.insert(read.folder.findings.end(), findings.begin(), findings.end());
+  for (const auto& item : seeds["statistics"].items()) {
+    const std::string& name = item.key();
+    const Json& statistics = item.value();
+    const auto put = [&](const std::string& part, const std::string& words, const Json& value) {
+      if (!value.is_number()) return;
+      read.values.push_back({fmt::format("seeds.statistics.{}.{}", name, part),
+                             statistics["description"].get<std::string>() + ", " + words,
+                             statistics["units"].get<std::string>(), value.get<double>(), part == "mean"});
+    };
+    put("mean", "mean over the seeds", statistics["mean"]);
+    put("max", "largest of the seeds", statistics["max"]);
+    put("min", "smallest of the seeds", statistics["min"]);
+    for (const char* fit : {"gumbel", "acer"}) {
+      if (!statistics.contains(fit) || !statistics[fit].is_object()) continue;
+      const std::string words = fit == std::string("acer") ? "three hours by ACER" : "three hours by Gumbel";
+      put(std::string(fit) + ".estimate", words, statistics[fit]["estimate"]);
+    }
+  }
+}
+
+Read read_folder(const fs::path& place) {
+  const fs::path folder = fs::is_directory(place) ? place : place.parent_path();
+  Read read;
+  read.folder.path = place.string();
+  const Json summary = summary_of(folder);
+  if (summary.is_object() && summary.contains("seeds")) {
+    read.folder.kind = ResultsKind::seeds;
+    take_seeds(read, folder, summary);
+    return read;
+  }
+  const fs::path h5 = fs::is_directory(place) ? place / "results.h5" : place;
+  if (!fs::exists(h5)) throw std::runtime_error(place.string() + ": no results.h5 in it, nothing to compare");
+  try {
+    if (has_lay_operation(h5)) {
+      read.folder.kind = ResultsKind::operation;
+      take_operation(read, h5);
+    } else {
+      take_run(read, h5);
+    }
+  } catch (const std::runtime_error& fault) {
+    const std::string what = fault.what();
+    throw std::runtime_error(what.find(h5.string()) == std::string::npos ? place.string() + ": " + what : what);
+  }
+  return read;
+}
+
+/// The last parts of the paths that tell them apart.
+void name_folders(std::vector<Read>& all) {
+  const auto last_parts = [](const std::string& path, std::size_t count) {
+    fs::path full = fs::absolute(path).lexically_normal(), name;
+    if (!full.has_filename()) full = full.parent_path();
+    for (std::size_t i = 0; i < count && full.has_filename(); ++i, full = full.parent_path()) {
+      name = name.empty() ? full.filename() : full.filename() / name;
+    }
+    return name.string();
+  };
+  for (std::size_t parts = 1; parts < 12; ++parts) {
+    for (Read& read : all) read.folder.name = last_parts(read.folder.path, parts);
+    const bool apart = std::ranges::all_of(all, [&](const Read& one) {
+      return std::ranges::count_if(all, [&](const Read& other) { return other.folder.name == one.folder.name; }) == 1;
+    });
+    if (apart) return;
+  }
+}
+
+std::vector<ComparedKey> compared_keys(const std::vector<Read>& all) {
+  std::vector<std::string> texts;
+  for (const Read& read : all) texts.push_back(read.model_text);
+  std::vector<ComparedKey> keys;
+  for (DifferingKey& key : differing_keys(texts)) keys.push_back({std::move(key.key), std::move(key.values)});
+  return keys;
+}
+
+std::vector<ComparedResult> compared_results(const std::vector<Read>& all) {
+  std::vector<ComparedResult> results;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const ResultValue& value : all[i].values) {
+      auto at = std::ranges::find_if(results, [&](const auto& known) { return known.name == value.name; });
+      if (at == results.end()) {
+        results.push_back({value.name, value.text, value.unit, value.key, {}});
+        results.back().values.resize(all.size());
+        at = std::prev(results.end());
+      }
+      if (std::isfinite(value.value)) at->values[i] = value.value;
+    }
+  }
+  // Of what only one folder has there is nothing to compare.
+  std::erase_if(results, [](const ComparedResult& result) {
+    return std::ranges::count_if(result.values, [](const auto& value) { return value.has_value(); }) < 2;
+  });
+  std::ranges::stable_sort(results, std::greater<>(), &ComparedResult::largest_change);
+  return results;
+}
+
+std::vector<std::string> notes_of(const std::vector<Read>& all) {
+  const bool mixed =
+      std::ranges::any_of(all, [&](const Read& read) { return read.folder.kind != all.front().folder.kind; });
+  if (!mixed) return {};
+  std::string kinds;
+  for (const Read& read : all) {
+    kinds += (kinds.empty() ? "" : "; ") + read.folder.name + " is of " + words_of(read.folder.kind);
+  }
+  return {"The folders hold results of different analyses (" + kinds +
+          "). Only what at least two of them share is compared; of dynamic analyses and seeds that is their static "
+          "state."};
+}
+
+}  // namespace
+
+FolderComparison compare_folders(const std::vector<fs::path>& folders) {
+  std::vector<Read> all;
+  for (const fs::path& folder : folders) all.push_back(read_folder(folder));
+  name_folders(all);
+  FolderComparison comparison;
+  comparison.keys = compared_keys(all);
+  comparison.results = compared_results(all);
+  comparison.notes = notes_of(all);
+  std::vector<FolderCurves> curves;
+  for (Read& read : all) {
+    comparison.folders.push_back(std::move(read.folder));
+    curves.push_back(std::move(read.curves));
+  }
+  comparison.figures = overlaid(curves);
+  if (comparison.results.empty()) {
+    throw std::runtime_error(comparison.folders.at(0).path + " and the others have no result in common");
+  }
+  return comparison;
+}
+
+}  // namespace overbend

@@ -1,0 +1,175 @@
+#include "study/goal_seek/seek_model.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "base/name_parts.h"
+#include "base/require.h"
+#include "base/threads.h"
+#include "base/units.h"
+#include "modelfile/fields/seek_values.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "modelfile/yaml/chosen_keys.h"
+#include "modelfile/yaml/yaml_path.h"
+#include "study/run/prepared_case.h"
+
+namespace overbend {
+namespace {
+
+/// What the model has there: in its text, or by default.
+std::optional<double> present_value(const YamlNode& tree, const std::string& path, const Field& row) {
+  std::string rest;
+  const std::vector<YamlSpot> spots = follow_path(tree, path, rest);
+  const std::string text = rest.empty() ? spots.back().node->text : row.fallback;
+  if (text.empty()) return std::nullopt;
+  const ScalarReading reading = read_value_of(text, row);
+  return reading.value ? std::optional(reading.value->number) : std::nullopt;
+}
+
+SeekUnknown unknown_of(const SeekVariable& variable, const ChosenKey& key, const YamlNode& tree) {
+  const Field* row = varied_row(variable.key);
+  require(row != nullptr, "a checked seek varies keys of the table");
+  const std::optional<double> present = present_value(tree, key.path, *row);
+  SeekUnknown unknown{.path = key.path, .name = key.name, .unit = variable.unit, .show = variable.show};
+  if (variable.within) {
+    if (!present) throw SeekFault(key.name + " has no value in the model to go `within` of; give from and to");
+    unknown.from = std::max(*present - *variable.within, row->range.low);
+    unknown.to = std::min(*present + *variable.within, row->range.high);
+  } else {
+    unknown.from = variable.from.value_or(0.0);
+    unknown.to = variable.to.value_or(1.0);
+  }
+  unknown.before = present.value_or(0.5 * (unknown.from + unknown.to));
+  return unknown;
+}
+
+YamlNode parsed(const Description& description) {
+  Diagnostics faults;
+  std::optional<YamlNode> tree = parse_yaml(description.source_text, description.source_file, faults);
+  if (!tree || faults.has_errors()) throw SeekFault("the text of the model cannot be read again");
+  return std::move(*tree);
+}
+
+/// Distance in parts of the bounds.
+double distance(const std::vector<SeekUnknown>& unknowns, const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const double part = (a[i] - b[i]) / (unknowns[i].to - unknowns[i].from);
+    sum += part * part;
+  }
+  return sum;
+}
+
+}  // namespace
+
+SeekModel::SeekModel(const Description& description, const SeekDescription& seek, std::function<bool()> stop)
+    : base_(description), tree_(parsed(description)), stop_(std::move(stop)) {
+  if (!base_.has_pipe && !base_.moorings) {
+    throw SeekFault("a goal seek needs a lay or a vessel on mooring lines; the model has neither");
+  }
+  for (const SeekVariable& variable : seek.vary) {
+    for (const ChosenKey& key : chosen_keys(tree_, name_parts(variable.key).value())) {
+      unknowns_.push_back(unknown_of(variable, key, tree_));
+    }
+  }
+  if (unknowns_.empty()) throw SeekFault("no item of the model is chosen by the keys to vary");
+  // What neither statics nor the search looks at.
+  base_.operation = {};
+}
+
+std::vector<YamlChange> SeekModel::changes(const std::vector<double>& values, int digits) const {
+  std::vector<YamlChange> list;
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+    const SeekUnknown& unknown = unknowns_[i];
+    const std::string text = unknown.show.empty() ? format_number(values[i], digits)
+                                                  : format_quantity(values[i], unknown.unit, unknown.show, digits);
+    list.push_back({unknown.path, YamlChange::Kind::scalar, text});
+  }
+  return list;
+}
+
+/// The short way by the tree; by the text where a key is not there yet or the files of the hull might not fit any more.
+Description SeekModel::described(const std::vector<double>& values) const {
+  const std::vector<YamlChange> list = changes(values, 17);
+  const bool files = base_.vessel.coupled &&
+                     std::ranges::any_of(list, [](const YamlChange& c) { return c.path.starts_with("vessel"); });
+  YamlNode tree = tree_;
+  ModelReading reading = !files && edit_tree(tree, list)
+                             ? read_still_model(tree, base_.source_file)
+                             : read_model_text(edit_yaml(base_.source_text, list), base_.source_file);
+  if (!reading.description) {
+    const std::vector<std::string> errors = reading.diagnostics.lines(Severity::error);
+    throw std::runtime_error(errors.empty() ? "the model cannot be read" : errors.front());
+  }
+  if (!files && reading.description->vessel.coupled) reading.description->vessel.coupled = base_.vessel.coupled;
+  reading.description->operation = {};
+  return std::move(*reading.description);
+}
+
+SeekPoint SeekModel::solve(const std::vector<double>& values, const StaticSolution* start) const {
+  SeekPoint point{.values = values, .summary = {}, .solution = {}, .failure = {}};
+  try {
+    Model model = build_model(described(values));
+    ModelStatics found = solve_model(model, start);
+    if (found.failure && start != nullptr) found = solve_model(model);  // the start may have been too far off
+    if (found.failure) {
+      point.failure = failure_line(*found.failure);
+    } else {
+      point.summary = found.lay ? static_summary_json(*found.lay) : mooring_summary_json(*found.moorings);
+      point.solution = std::move(found.solution);
+    }
+  } catch (const std::runtime_error& fault) {
+    point.failure = fault.what();
+  }
+  return point;
+}
+
+const SeekPoint* SeekHistory::nearest(const std::vector<double>& values) const {
+  const SeekPoint* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const SeekPoint& point : points_) {
+    const double far = distance(model_.unknowns(), point.values, values);
+    if (point.solution && point.serves && far < least) {
+      best = &point;
+      least = far;
+    }
+  }
+  return best;
+}
+
+const SeekPoint& SeekHistory::at(const std::vector<double>& values) {
+  for (const SeekPoint& point : points_) {
+    if (point.values == values) return point;
+  }
+  model_.go_on();
+  const SeekPoint* start = nearest(values);
+  SeekPoint& point = points_.emplace_back(model_.solve(values, start != nullptr ? &*start->solution : nullptr));
+  point.serves = serve_;
+  return point;
+}
+
+std::vector<const SeekPoint*> SeekHistory::at_all(const std::vector<std::vector<double>>& values,
+                                                  const std::vector<double>& around) {
+  model_.go_on();
+  const SeekPoint* start = nearest(around);
+  const StaticSolution* from = start != nullptr ? &*start->solution : nullptr;
+  std::vector<const SeekPoint*> all;
+  std::vector<SeekPoint*> open;
+  for (const std::vector<double>& one : values) {
+    open.push_back(&points_.emplace_back(SeekPoint{.values = one, .summary = {}, .solution = {}, .failure = {}}));
+    all.push_back(open.back());
+  }
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < open.size(); i = next++) {
+      *open[i] = model_.solve(open[i]->values, from);
+      open[i]->probe = true;
+      open[i]->serves = false;
+    }
+  };
+  work_in_threads(useful_threads(0, open.size()), work);
+  return all;
+}
+
+}  // namespace overbend

@@ -1,0 +1,79 @@
+#include "study/goal_seek/seek_run.h"
+
+#include "base/interruption.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "modelfile/yaml/moved_text.h"
+#include "report/report.h"
+#include "resultfiles/moored/mooring_writer.h"
+#include "resultfiles/static/results_writer.h"
+#include "resultfiles/studies/seek_writer.h"
+#include "runstore/append_file.h"
+#include "runstore/staged_folder.h"
+#include "study/run/prepared_case.h"
+#include "study/stages/stage_choice.h"
+
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+
+Description with_answer(const Description& description, const SeekDescription& wanted, const SeekResults& results) {
+  const std::string text = edit_yaml(description.source_text, answer_changes(description, wanted, results));
+  ModelReading reading = read_model_text(text, description.source_file);
+  if (!reading.description) {
+    throw SeekFault("the model with the answer put in: " + reading.diagnostics.lines(Severity::error).front());
+  }
+  return std::move(*reading.description);
+}
+
+/// The statics of the model that is written; what is told is what they say.
+void solve_answer(SeekRun& run, const std::optional<StaticSolution>& start) {
+  Model model = build_model(run.answer);
+  run.statics = solve_model(model, start ? &*start : nullptr);
+  if (run.statics.failure) {
+    run.results.found = false;
+    run.results.why = "the model with the answer put in has no equilibrium: " + failure_line(*run.statics.failure);
+    return;
+  }
+  tell_hull(model, run.statics);
+}
+
+void write_statics(const SeekRun& run, const fs::path& folder) {
+  const std::string& text = run.answer.source_text;
+  if (run.statics.lay) {
+    write_static_files(*run.statics.lay, run.answer, folder);
+    write_report(*run.statics.lay, text, folder / "report.html", {.seek = &run.results});
+  } else {
+    write_mooring_files(*run.statics.moorings, run.answer, folder);
+    write_report(*run.statics.moorings, text, folder / "report.html");
+  }
+}
+
+}  // namespace
+
+SeekRun run_seek(const Description& description, const SeekDescription& wanted, const std::function<bool()>& stop) {
+  const InterruptionScope scope(stop);
+  SeekOutcome outcome = seek(description, wanted, stop);
+  SeekRun run{std::move(outcome.results), {}, {}};
+  if (!run.results.found) return run;
+  run.answer = with_answer(description, wanted, run.results);
+  if (is_lay_operation(run.answer.operation.type)) run.answer.findings.push_back(no_stage_finding(run.answer, false));
+  solve_answer(run, outcome.start);
+  return run;
+}
+
+std::string answered_text(const SeekRun& run, const fs::path& folder) {
+  return moved_text(run.answer.source_text, run.answer.source_file, folder);
+}
+
+void write_seek_run(const SeekRun& run, const Description& description, const fs::path& folder) {
+  StagedFolder staged(folder);
+  if (run.results.found) {
+    write_statics(run, staged.path());
+    write_text(staged.path() / "model.yaml", answered_text(run, folder));
+  }
+  write_seek_files(run.results, description.title, staged.path());
+  staged.commit("summary.json");
+}
+
+}  // namespace overbend

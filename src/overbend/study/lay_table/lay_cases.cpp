@@ -1,0 +1,229 @@
+#include "study/lay_table/lay_cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/finding.h"
+#include "base/units.h"
+#include "results/findings.h"
+#include "study/lay_table/limit_search.h"
+#include "study/run/static_run.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kLayBackMiss = 1e-3;  ///< [m]
+constexpr double kLayBackJump =
+    0.05;  ///< Touchdown moves that far where a roller lets go or the mesh is made anew [m].
+constexpr double kSameTension = 1e-8;                   ///< Relative.
+constexpr double kSmallStep = 1.02, kLargeStep = 1.15;  ///< Factors between tensions that are tried outwards.
+constexpr int kMostSteps = 24;                          ///< Of them: a factor of 20 either way.
+constexpr int kMostNarrowings = 40;
+constexpr double kLeastShare = 0.5;     // of the weight over the depth: the bed may rise astern
+constexpr double kLeastOfYield = 1e-3;  // of the tension at which the pipe yields: where it weighs next to nothing
+
+LayTableValues values_of(const StaticResults& r) {
+  LayTableValues v;
+  v.top_tension = r.top_tension;
+  v.bottom_tension = r.bottom_tension;
+  v.lay_back = r.lay_back;
+  v.departure_angle = r.departure_angle;
+  v.tip_separation = r.stinger_tip_clearance;
+  if (const auto& bent = r.overbend ? r.overbend : r.tower) {
+    v.overbend_bending_stress = bent->bending_stress.value;
+    v.overbend_von_mises = bent->von_mises.value;
+    v.overbend_strain = bent->strain.value;
+  }
+  v.sagbend_bending_stress = r.sagbend.bending_stress.value;
+  v.sagbend_von_mises = r.sagbend.von_mises.value;
+  v.sagbend_strain = r.sagbend.strain.value;
+  v.largest_reaction = r.largest_reaction;
+  v.largest_reaction_support = r.largest_reaction_support;
+  if (const CheckRow* worst = worst_check(r.checks)) {
+    v.utilisation = worst->utilisation;
+    v.worst_check = worst->name;
+    if (worst->region == CheckRegion::tip) v.tip = "stinger tip " + worst->remark;
+  }
+  v.verdict = verdict_kind(r.checks, r.findings);
+  return v;
+}
+
+/// The whole bed as deep at the stern shoe as that.
+void set_depth(EnvironmentDescription& environment, double depth) {
+  const double deeper = depth - environment.water_depth;
+  environment.water_depth = depth;
+  if (deeper == 0.0) return;
+  for (ProfilePoint& point : environment.seabed.profile) point.depth += deeper;
+  if (!environment.seabed.bathymetry) return;
+  for (double& point : environment.seabed.bathymetry->depth) point += deeper;
+}
+
+/// Among which the least that passes is sought: below the first no pipe stands on a bed as deep, beyond the last its
+/// steel yields without any bending.
+std::pair<double, double> tensions_of(const Model& model) {
+  const Section& pipe = model.sections.front();
+  const double yields = pipe.yield_stress * pipe.steel_area;
+  const double hangs = pipe.weight_submerged * model.description.environment.water_depth;
+  return {std::clamp(kLeastShare * hangs, kLeastOfYield * yields, 0.5 * yields), yields};
+}
+
+/// Why it does not pass; empty where it does.
+std::string failure_reason(const LayTableValues& v, const Findings& serious) {
+  if (v.verdict == VerdictKind::exceeded) return fmt::format("{} is exceeded", v.worst_check);
+  return v.passed() ? "" : serious_codes(serious);
+}
+
+/// Where none passes; with words on what was searched, and what stops it at either end.
+LayCase nearest_to_passing(const std::vector<TriedLay>& tried, const TryLay& try_at) {
+  const auto words = [](double tension) { return format_quantity(tension, "N", "kN", 5); };
+  const std::string none =
+      fmt::format("no tension from {} to {} passes every check", words(tried.front().value), words(tried.back().value));
+  const auto first = std::ranges::find_if(tried, [](const TriedLay& at) { return at.lay.lay.has_value(); });
+  if (first == tried.end()) {
+    return {tried.back().value, tried.back().lay.depth, {}, none + ": " + tried.back().lay.reason};
+  }
+  const auto utilisation = [](const TriedLay& at) {
+    return at.lay.lay ? at.lay.lay->utilisation.value_or(0.0) : std::numeric_limits<double>::infinity();
+  };
+  LayCase nearest = try_at(std::ranges::min_element(tried, {}, utilisation)->value);
+  nearest.reason = fmt::format("{}: with {}, the least with a lay, {}; with {}, {}; this is the nearest to passing: {}",
+                               none, words(first->value), first->lay.reason, words(tried.back().value),
+                               tried.back().lay.reason, nearest.reason);
+  return nearest;
+}
+
+}  // namespace
+
+LayCases::LayCases(const Description& description) : description_(description) {
+  const double depth = description_.environment.water_depth;
+  own_ = solve(description_, description_.tensioner.tension.value_or(0.0), depth);
+  if (!description_.tensioner.tension && own_.lay) own_.tension = own_.lay->top_tension;
+  if (description_.pipe.length && description_.pipe.anchor) {
+    description_.pipe.length.reset();  // the tension is given now
+  }
+  for (Known& known : known_) known.tension = own_.tension;  // the one that was not given
+}
+
+const LayCases::Known* LayCases::nearest_by_lay_back(double lay_back, double depth) const {
+  const Known* near = nullptr;
+  for (const Known& known : known_) {
+    if (known.depth != depth) continue;
+    const bool nearer = near == nullptr || std::abs(known.lay_back - lay_back) < std::abs(near->lay_back - lay_back);
+    if (nearer) near = &known;
+  }
+  return near;
+}
+
+LayCase LayCases::solve(const Description& description, double tension, double depth) {
+  LayCase found{tension, depth, {}, {}};
+  Model model = build_model(description);
+  // From nothing, though a row beside it would be closer: across a current a lay may have several equilibria, which
+  // differ in the side rollers that bear, and a row would hang on those before it.
+  const LayOutcome outcome = solve_lay(model);
+  ++solves_;
+  if (!outcome.solution) {
+    found.reason = outcome.failure->what;
+    return found;
+  }
+  StaticResults results = checked_statics(model, outcome);
+  tell_hull(model, results);
+  if (assumptions_.empty()) assumptions_ = results.assumptions;
+  known_.push_back({tension, depth, results.lay_back});
+  return told(tension, depth, results);
+}
+
+LayCase LayCases::told(double tension, double depth, const StaticResults& results) {
+  LayCase found{tension, depth, values_of(results), {}};
+  found.serious = serious_findings(results.findings);
+  found.reason = failure_reason(*found.lay, found.serious);
+  return found;
+}
+
+Description LayCases::described(double tension, double depth) const {
+  Description description = description_;
+  description.tensioner.tension = tension;
+  set_depth(description.environment, depth);
+  return description;
+}
+
+LayCase LayCases::at(double tension, double depth) {
+  return solve(described(tension, depth), tension, depth);
+}
+
+LayCase LayCases::beside(double tension, double depth, std::shared_ptr<const LayStart>& last) {
+  Model model = build_model(described(tension, depth));
+  std::shared_ptr<const LayStart> found;
+  const ModelStatics statics = solve_beside(model, {last.get()}, &found);
+  ++solves_;
+  if (found) last = std::move(found);
+  return statics.lay ? told(tension, depth, *statics.lay) : LayCase{tension, depth, {}, statics.failure->what};
+}
+
+/// Tensions with touchdown on either side of the lay-back, from what is known and outwards; without a lay where it ends
+/// before.
+std::pair<LayCase, LayCase> LayCases::around_lay_back(double lay_back, double depth) {
+  const Known* near = nearest_by_lay_back(lay_back, depth);
+  LayCase low = at(near != nullptr ? near->tension : own_.tension, depth), high = low;
+  double factor = kSmallStep;
+  for (int i = 0; i < kMostSteps && low.lay && low.lay->lay_back > lay_back; ++i) {
+    high = low;
+    low = at(low.tension / factor, depth);
+    factor = std::min(factor * factor, kLargeStep);
+  }
+  for (int i = 0; i < kMostSteps && high.lay && high.lay->lay_back < lay_back; ++i) {
+    low = high;
+    high = at(high.tension * factor, depth);
+    factor = std::min(factor * factor, kLargeStep);
+  }
+  // The lay may end before touchdown is near enough: halve towards where it stands.
+  for (int i = 0; i < kMostNarrowings && high.lay && !low.lay; ++i) {
+    LayCase middle = at(0.5 * (low.tension + high.tension), depth);
+    (!middle.lay || middle.lay->lay_back <= lay_back ? low : high) = std::move(middle);
+    if (high.tension - low.tension < kSameTension * high.tension) break;
+  }
+  return {std::move(low), std::move(high)};
+}
+
+LayCase LayCases::at_lay_back(double lay_back, double depth) {
+  auto [low, high] = around_lay_back(lay_back, depth);
+  for (const LayCase* end : {&low, &high}) {
+    if (!end->lay) return {end->tension, depth, {}, "no tension has this lay-back: " + end->reason};
+  }
+  const auto miss = [&](const LayCase& lay) { return lay.lay->lay_back - lay_back; };
+  if (miss(low) > kLayBackMiss || miss(high) < -kLayBackMiss) return {0.0, depth, {}, "no tension has this lay-back"};
+  // Regula falsi; the end that stays loses half its weight (Dowell and Jarratt 1971, "Illinois").
+  double f_low = miss(low), f_high = miss(high);
+  int side = 0;
+  for (int i = 0; i < kMostNarrowings && high.tension - low.tension > kSameTension * high.tension; ++i) {
+    if (std::abs(miss(low)) < kLayBackMiss || std::abs(miss(high)) < kLayBackMiss) break;
+    LayCase between = at((low.tension * f_high - high.tension * f_low) / (f_high - f_low), depth);
+    if (!between.lay) return between;
+    const bool below = miss(between) < 0.0;
+    (below ? f_low : f_high) = miss(between);
+    const int moved = below ? -1 : 1;
+    if (side == moved) (below ? f_high : f_low) *= 0.5;
+    side = moved;
+    (below ? low : high) = std::move(between);
+  }
+  LayCase& best = std::abs(miss(low)) < std::abs(miss(high)) ? low : high;
+  if (std::abs(miss(best)) > kLayBackJump) return {best.tension, depth, {}, "touchdown jumps over this lay-back"};
+  return std::move(best);
+}
+
+LayCase LayCases::at_least_tension(double depth) {
+  const auto [from, to] = tensions_of(build_model(described(own_.tension, depth)));
+  std::shared_ptr<const LayStart> last;
+  const TryLay near = [&](double tension) { return beside(tension, depth, last); };
+  const TryLay alone = [&](double tension) { return at(tension, depth); };
+  LeastLay found = least_passing(from, to, {}, near, alone);
+  if (!found.limit) return nearest_to_passing(found.tried, alone);
+  LayCase least = std::move(found.limit->passing.lay);
+  const LayCase& less = found.limit->beyond.lay;
+  if (!less.reason.empty()) least.reason = "with less, " + less.reason;
+  return least;
+}
+
+}  // namespace overbend

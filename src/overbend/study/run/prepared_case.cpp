@@ -1,0 +1,132 @@
+#include "study/run/prepared_case.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "dynamics/integrator/dynamics.h"
+#include "dynamics/setup/dynamic_obstacle.h"
+#include "model/description/operation_words.h"
+#include "model/model_findings.h"
+#include "model/vessel/station.h"
+#include "modelfile/yaml/input_place.h"
+#include "seafiles/hydrodynamics_reader.h"
+#include "statics/recovery/history_effect.h"
+#include "study/run/static_run.h"
+
+namespace overbend {
+namespace {
+
+std::string file_text(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// Those that the model names, of a hull's files of one stem all that may be read.
+std::vector<std::string> named_files(const Description& d) {
+  std::vector<std::string> files = {d.vessel.motion_file, d.environment.waves.spectrum_file,
+                                    d.environment.seabed.bathymetry_file};
+  if (d.vessel.coupled) {
+    files.push_back(d.vessel.coupled->current.table_file);
+    files.push_back(d.vessel.coupled->wind.table_file);
+    const std::string stem = hydrodynamics_stem(d.vessel.coupled->hydrodynamics);
+    for (const char* ending : {"", ".1", ".2", ".3", ".7", ".8", ".9", ".hst"}) {
+      files.push_back(stem + ending);
+    }
+  }
+  std::error_code fault;
+  std::erase_if(files, [&](const std::string& file) { return !std::filesystem::is_regular_file(file, fault); });
+  return files;
+}
+
+StaticResults of_hull(const Model& model, MooringResults rest) {
+  tell_hull(model, rest);
+  if (rest.operation == "moored" && !rest.stages.empty()) {
+    rest.findings.push_back(
+        {FindingCode::stages_at_rest,
+         "the stages of the operation are states at rest: the run in time starts from the rest before them"});
+  }
+  if (hull_is_free(model.description) && model.description.vessel.motion != VesselMotion::coupled) {
+    rest.findings.push_back(
+        {FindingCode::vessel_moves_as_prescribed,
+         "in time the vessel moves as vessel.motion says, from where it lies at rest, and not as its lines pull: "
+         "vessel.hydrostatics serve statics alone, vessel.motion.coupled is a hull that floats free"});
+  }
+  return of_hull_alone(std::move(rest));
+}
+
+StaticResults of_lay(const Model& model, const LayOutcome& outcome) {
+  StaticResults statics = checked_statics(model, outcome);
+  note_history_effect(model, *outcome.solution, statics);
+  tell_hull(model, statics);
+  return statics;
+}
+
+}  // namespace
+
+std::string input_text(const Description& d) {
+  std::string text = d.source_text;
+  // What the files hold, not where they lie: that depends on how the model's own path was written.
+  for (const std::string& file : named_files(d)) {
+    text += "\n# " + std::to_string(file_text(file).size()) + " bytes\n" + file_text(file);
+  }
+  if (d.stage) {
+    text += fmt::format("\n# {}, {:a} N\n", stage_words(*d.stage, d.operation.type), d.stage->tension.value_or(0.0));
+  }
+  return text + fmt::format("\n# duration {:a}\n", d.dynamics ? d.dynamics->duration : 0.0);
+}
+
+void use_controllers(PreparedCase& prepared, std::vector<ControllerUse> controllers) {
+  for (const ControllerUse& use : controllers) {
+    prepared.input += fmt::format("\n# controller of '{}' every {:a} s\n", use.machine, use.interval);
+  }
+  prepared.controllers = std::move(controllers);
+}
+
+std::string failure_line(const StaticFailure& failure) {
+  const std::string where = failure.where.empty() ? "" : " (" + failure.where + ")";
+  return failure.what + where + ": " + failure.why;
+}
+
+RunEnd failed_end(const StaticFailure& failure, const Description& description) {
+  if (failure.input && !failure.key.empty()) {
+    return {RunEnding::wrong_input,
+            input_place(description.source_file, description.source_text, failure.key) + ": " + failure_line(failure)};
+  }
+  if (failure.input) return {RunEnding::wrong_input, failure_line(failure)};
+  return {RunEnding::no_solution, "no solution: " + failure_line(failure)};
+}
+
+std::optional<RunEnd> refuse_calm_run(const Description& description) {
+  for (const Finding& finding : model_findings(build_model(description))) {
+    if (finding.code != FindingCode::nothing_moves) continue;
+    return RunEnd{RunEnding::wrong_input,
+                  finding.message +
+                      "; give a sea, for example environment.waves: {type: jonswap, hs: 1.5 m, tp: 7 s}, "
+                      "and vessel.motion"};
+  }
+  return std::nullopt;
+}
+
+std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Description& description,
+                                                                       const std::vector<ControllerUse>& controllers) {
+  Model model = build_model(description);
+  if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) {
+    return failed_end(*obstacle, description);
+  }
+  if (!description.has_pipe && !controllers.empty()) {
+    return RunEnd{RunEnding::wrong_input,
+                  "controllers from outside need a pipe: a hull on its moorings alone has none"};
+  }
+  LayOutcome outcome = description.has_pipe ? solve_lay(model) : solve_moored_hull(model);
+  if (outcome.failure) return failed_end(*outcome.failure, description);
+  StaticResults statics = description.has_pipe ? of_lay(model, outcome) : of_hull(model, std::move(*outcome.moorings));
+  const auto prepared = std::make_shared<PreparedCase>(PreparedCase{
+      description, std::move(model), std::move(*outcome.solution), std::move(statics), input_text(description)});
+  use_controllers(*prepared, controllers);
+  return prepared;
+}
+
+}  // namespace overbend

@@ -1,0 +1,233 @@
+#include "study/run/run_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "base/constants.h"
+#include "mechanics/sea_range.h"
+#include "model/waves/rao_table.h"
+#include "numerics/record_part.h"
+#include "study/run/non_stationary.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kOffMean = 0.02;               ///< Of the wanted tension, worth a word [-].
+constexpr double kDrift = 0.01;                 ///< Likewise, over the run [-].
+constexpr double kMostDrift = 1e-3;             ///< Of the energy balance: beyond it, the run is not resolved [-].
+constexpr double kStandsStill = 1e-9;           ///< [m, rad]
+constexpr double kLargeAngle = 10.0 * kDegree;  ///< Beyond it the water's restoring is not linear.
+constexpr double kUncertain = 0.1;   ///< Standard error of a standard deviation, as a share, worth a word [-].
+constexpr double kTravelRows = 1.0;  ///< Travel is looked at no closer [s].
+constexpr std::size_t kBlocks = 8;
+constexpr double kBesideTable = 0.05;  ///< Of the sea's variance beside the frequencies of the RAOs, worth a word [-].
+constexpr double kAlike = 0.5;         ///< Autocorrelation of the sea's components at a later time, likewise [-].
+constexpr int kManyWaves = 100;        ///< So many do not come back to themselves in a day.
+constexpr double kBeyondChance = 5.0;  ///< Standard errors; with six degrees of freedom 0.2 % of records by chance.
+
+bool is_irregular(WaveType type) {
+  return type != WaveType::none && type != WaveType::airy && type != WaveType::stokes5;
+}
+
+const HistorySummary* history(const DynamicResults& results, const std::string& name) {
+  for (const HistorySummary& h : results.histories) {
+    if (h.name == name) return &h;
+  }
+  return nullptr;
+}
+
+double deviation(const DynamicResults& results, const std::string& name) {
+  const HistorySummary* h = history(results, name);
+  return h == nullptr ? 0.0 : h->over_time.std;
+}
+
+void warn_of_change(DynamicResults& results) {
+  if (results.non_stationary.empty()) return;
+  results.findings.push_back(
+      {FindingCode::record_not_stationary,
+       fmt::format("{}: {}; there are no three-hour extremes, and means and standard deviations are of the whole run",
+                   kNotStationary, results.non_stationary)});
+}
+
+void warn_of_short_run(DynamicResults& results) {
+  const auto estimated = [](const ExtremeEstimate& extreme) { return extreme.estimate.has_value(); };
+  if (results.duration >= kThreeHours || std::ranges::none_of(results.extremes, estimated)) return;
+  results.findings.push_back(Finding{
+      FindingCode::short_record,
+      fmt::format("the three-hour extremes are extrapolated from a run of {0:.3g} min, and the maxima of the run are "
+                  "those of {0:.3g} min only",
+                  results.duration / 60.0)}
+                                 .with("duration", results.duration, "s"));
+}
+
+void warn_of_still_vessel(DynamicResults& results) {
+  if (deviation(results, "elevation") <= kStandsStill) return;
+  for (const char* freedom : {"surge", "sway", "heave", "roll", "pitch", "yaw"}) {
+    if (deviation(results, freedom) > kStandsStill) return;
+  }
+  results.findings.push_back(Finding{
+      FindingCode::vessel_fixed_in_sea,
+      std::string("the vessel does not move in this sea: vessel.motion is fixed, and only the water acts on the ") +
+          (results.station_s.empty() ? "mooring lines" : "pipe")}
+                                 .on("vessel"));
+}
+
+void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
+  const TensionerDynamics& t = results.tensioner;
+  if (t.wanted <= 0.0) return;
+  const double off = t.tension.mean / t.wanted - 1.0;
+  if (std::abs(off) > kOffMean) {
+    results.findings.push_back(Finding{
+        FindingCode::mean_tension_off_target,
+        fmt::format("the mean tension at the tensioner is {:.1f} kN, {:.1f} % {} the set tension of {:.1f} kN",
+                    1e-3 * t.tension.mean, 100.0 * std::abs(off), off > 0.0 ? "above" : "below", 1e-3 * t.wanted)}
+                                   .on("tensioner")
+                                   .with("tension", t.tension.mean, "N"));
+  }
+  const double change = trend(tension);
+  if (std::abs(change) > kDrift * t.wanted) {
+    results.findings.push_back(Finding{
+        FindingCode::tension_drifts,
+        fmt::format("the mean tension at the tensioner drifts: it {} by {:.1f} kN over the run, {:.1f} % of the set "
+                    "tension; the statistics are those of a non-stationary record",
+                    change > 0.0 ? "rises" : "falls", 1e-3 * std::abs(change), 100.0 * std::abs(change) / t.wanted)}
+                                   .on("tensioner")
+                                   .with("change", change, "N"));
+  }
+}
+
+}  // namespace
+
+void warn_of_energy(double drift, bool fixed_step, DynamicResults& results) {
+  if (std::abs(drift) <= kMostDrift) return;
+  results.findings.push_back(Finding{
+      FindingCode::energy_imbalance,
+      fmt::format("the energy balance of the run has an error of {:.2g} of the energy exchanged: the motion is not "
+                  "resolved; {}",
+                  std::abs(drift),
+                  fixed_step ? "omit analysis.dynamic.step, or reduce it"
+                             : "reduce analysis.dynamic.max_step and analysis.dynamic.step_error")}
+                                 .with("error", drift, "1"));
+}
+
+double trend(std::span<const double> values) {
+  const std::size_t each = values.size() / kBlocks;
+  if (each == 0) return 0.0;
+  constexpr double n = kBlocks;
+  std::array<double, kBlocks> mean{};
+  double all = 0.0;
+  for (std::size_t b = 0; b < kBlocks; ++b) {
+    const std::span<const double> block = values.subspan(b * each, each);
+    mean[b] = std::accumulate(block.begin(), block.end(), 0.0) / static_cast<double>(each);
+    all += mean[b] / n;
+  }
+  double squares = 0.0, product = 0.0, left = 0.0;
+  const auto from_middle = [](std::size_t b) { return static_cast<double>(b) - 0.5 * (n - 1.0); };
+  for (std::size_t b = 0; b < kBlocks; ++b) {
+    squares += from_middle(b) * from_middle(b);
+    product += from_middle(b) * (mean[b] - all);
+  }
+  const double slope = product / squares;
+  for (std::size_t b = 0; b < kBlocks; ++b) left += std::pow(mean[b] - all - slope * from_middle(b), 2);
+  const double error = std::sqrt(left / (n - 2.0) / squares);
+  return std::abs(slope) > kBeyondChance * error ? slope * n : 0.0;
+}
+
+void warn_of_tensioners_chance(const Description& description, std::span<const double> travel,
+                               DynamicResults& results) {
+  const bool irregular = is_irregular(description.environment.waves.type);
+  if (description.operation.type == OperationType::pull_ahead) return;
+  const std::int64_t acted = results.tensioner.pay_out_count + results.tensioner.haul_in_count;
+  if (!irregular || acted == 0) return;
+  const double error = deviation_error(travel, results.output_step, kTravelRows);
+  if (error <= kUncertain) return;
+  results.findings.push_back(Finding{
+      FindingCode::tensioner_statistics_uncertain,
+      fmt::format("the tensioner acted {} times in {:.3g} min: the standard deviation of its travel, {:.2f} m, is "
+                  "known to {:.0f} % "
+                  "(one standard error), and no better what follows from it; take a longer run, or several seeds",
+                  acted, results.duration / 60.0, results.tensioner.travel.std, 100.0 * error)}
+                                 .on("tensioner")
+                                 .with("error", error, "1"));
+}
+
+void warn_of_large_motion(const VesselDescription& vessel, DynamicResults& results) {
+  if (vessel.motion != VesselMotion::coupled) return;
+  const auto largest = [&](const char* name) {
+    const HistorySummary* h = history(results, name);
+    return h == nullptr ? 0.0 : std::max(std::abs(h->over_time.min), std::abs(h->over_time.max));
+  };
+  const double heel = largest("roll"), trim = largest("pitch"), heave = largest("heave");
+  if (std::max(heel, trim) > kLargeAngle) {
+    results.findings.push_back(Finding{
+        FindingCode::vessel_angle_nonlinear,
+        fmt::format(
+            "the vessel heels by {:.1f} deg and trims by {:.1f} deg at most: beyond 10 deg the restoring of the "
+            "water is not linear, as it is taken to be",
+            heel * kToDegrees, trim * kToDegrees)}
+                                   .on("vessel")
+                                   .with("roll", heel, "rad")
+                                   .with("pitch", trim, "rad"));
+  }
+  const double freeboard = vessel.depth - vessel.draught;
+  if (heave > 0.5 * freeboard) {
+    results.findings.push_back(Finding{
+        FindingCode::vessel_heave_nonlinear,
+        fmt::format("the vessel heaves by {:.2f} m at most, more than half its freeboard of {:.2f} m: the restoring of "
+                    "the water is not linear there, as it is taken to be",
+                    heave, freeboard)}
+                                   .on("vessel")
+                                   .with("heave", heave, "m"));
+  }
+}
+
+void warn_of_sea(const Description& description, DynamicResults& results) {
+  const WavesDescription& waves = description.environment.waves;
+  if (waves.type == WaveType::none) return;
+  const bool few = is_irregular(waves.type) && waves.components < kManyWaves;
+  const Sea sea = make_sea(waves, description.environment.water_depth, results.seed);
+  const double again = few ? recurrence(sea, results.build_up + results.duration) : 0.0;
+  if (again > kAlike) {
+    results.findings.push_back(Finding{
+        FindingCode::few_wave_components,
+        fmt::format(
+            "the sea of {} waves comes back to itself within the run: its autocorrelation rises to {:.2f} again, "
+            "where 200 waves in three hours reach 0.2; take more (environment.waves.components)",
+            waves.components, again)}
+                                   .with("autocorrelation", again, "1"));
+  }
+  if (description.vessel.motion != VesselMotion::raos || !description.vessel.raos) return;
+  const std::vector<double>& omegas = description.vessel.raos->omegas;
+  const SeaBeside beside = sea_beside(sea, omegas.front(), omegas.back());
+  if (beside.above > kBesideTable) {
+    results.findings.push_back(Finding{
+        FindingCode::sea_outside_raos,
+        fmt::format("{:.0f} % of the sea's variance lies above the highest frequency of the RAOs, {:.3g} rad/s: up to "
+                    "1.25 times that frequency the motion that they give fades, and beyond it the vessel does not move",
+                    100.0 * beside.above, omegas.back())}
+                                   .with("fraction", beside.above, "1"));
+  }
+  if (beside.below > kBesideTable) {
+    results.findings.push_back(Finding{
+        FindingCode::sea_outside_raos,
+        fmt::format("{:.0f} % of the sea's variance lies below the lowest frequency of the RAOs, {:.3g} rad/s, where "
+                    "translations are those of that frequency and rotations fall with the frequency",
+                    100.0 * beside.below, omegas.front())}
+                                   .with("fraction", beside.below, "1"));
+  }
+}
+
+void warn_of_run(const Description& description, DynamicResults& results, std::span<const double> tension) {
+  const bool alike = !is_irregular(description.environment.waves.type);  // the peaks of a regular wave
+  if (!alike) warn_of_short_run(results);
+  warn_of_change(results);
+  warn_of_still_vessel(results);
+  warn_of_tension(results, tension);
+  warn_of_energy(results.energy.drift(), description.dynamics && description.dynamics->step, results);
+}
+
+}  // namespace overbend

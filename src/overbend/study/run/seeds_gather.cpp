@@ -1,0 +1,230 @@
+#include "study/run/seeds_gather.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/constants.h"
+#include "numerics/log_weibull.h"
+#include "study/run/non_stationary.h"
+
+namespace overbend {
+namespace {
+
+/// What is gathered of a run, and how it is found there.
+struct Rule {
+  SeedQuantity quantity;
+  double (*value)(const DynamicResults&);
+};
+
+double largest_reaction(const DynamicResults& r) {
+  double largest = 0.0;
+  for (const SupportDynamics& support : r.supports) largest = std::max(largest, support.reaction.max);
+  return largest;
+}
+
+double largest_mooring_tension(const DynamicResults& r) {
+  double largest = 0.0;
+  for (const MooringLineDynamics& line : r.moorings) largest = std::max(largest, line.fairlead_tension.whole.max);
+  return largest;
+}
+
+/// Of lines that do not part.
+double smallest_mooring_tension(const DynamicResults& r) {
+  double smallest = largest_mooring_tension(r);
+  for (const MooringLineDynamics& line : r.moorings) {
+    if (!line.parted_at) smallest = std::min(smallest, line.fairlead_tension.whole.min);
+  }
+  return smallest;
+}
+
+double largest_mooring_utilisation(const DynamicResults& r) {
+  double largest = 0.0;
+  for (const MooringLineDynamics& line : r.moorings) largest = std::max(largest, line.utilisation.value_or(0.0));
+  return largest;
+}
+
+double worst_utilisation(const DynamicResults& r) {
+  const CheckRow* worst = worst_check(r.checks);
+  return worst == nullptr ? 0.0 : worst->utilisation;
+}
+
+/// Of the worst spot. The mean over the seeds is that of the sea state; the largest is chance.
+double fatigue_on_the_way(const DynamicResults& r) {
+  double largest = 0.0;
+  if (!r.fatigue) return largest;
+  for (const FatigueSpot& spot : r.fatigue->spots) largest = std::max(largest, spot.path_damage);
+  return largest;
+}
+
+using Rules = std::vector<Rule>;
+
+void add(Rules& list, const SeedQuantity& quantity, double (*value)(const DynamicResults&)) {
+  list.push_back({quantity, value});
+}
+
+constexpr SeedExtreme kLargest = SeedExtreme::largest, kSmallest = SeedExtreme::smallest, kNone = SeedExtreme::none;
+
+void add_pipe(Rules& list, const StaticResults& statics) {
+  using Results = DynamicResults;
+  add(list, {"top_tension_max", "N", "Largest effective tension at the tensioner", kLargest},
+      [](const Results& r) { return r.top_tension.max; });
+  add(list, {"top_tension_min", "N", "Smallest effective tension at the tensioner", kSmallest},
+      [](const Results& r) { return r.top_tension.min; });
+  if (statics.overbend) {
+    add(list, {"overbend_max_bending_moment", "N m", "Largest bending moment of the overbend", kLargest},
+        [](const Results& r) { return r.overbend.bending_moment.over_time.max; });
+    add(list, {"overbend_max_von_mises", "Pa", "Largest von Mises stress of the overbend", kLargest},
+        [](const Results& r) { return r.overbend.von_mises.over_time.max; });
+    add(list, {"overbend_max_strain", "1", "Largest strain of the overbend", kLargest},
+        [](const Results& r) { return r.overbend.strain.over_time.max; });
+  }
+  add(list, {"sagbend_max_bending_moment", "N m", "Largest bending moment of the sagbend", kLargest},
+      [](const Results& r) { return r.sagbend.bending_moment.over_time.max; });
+  add(list, {"sagbend_max_von_mises", "Pa", "Largest von Mises stress of the sagbend", kLargest},
+      [](const Results& r) { return r.sagbend.von_mises.over_time.max; });
+  add(list, {"sagbend_max_strain", "1", "Largest strain of the sagbend", kLargest},
+      [](const Results& r) { return r.sagbend.strain.over_time.max; });
+  if (statics.stinger_tip_clearance) {
+    add(list, {"stinger_tip_clearance_min", "m", "Smallest separation at the last row of the stinger", kSmallest},
+        [](const Results& r) { return r.stinger_tip_clearance.min; });
+  }
+  if (!statics.supports.empty()) {
+    add(list, {"largest_reaction", "N", "Largest reaction of a support", kLargest}, largest_reaction);
+    add(list, {"impact_count", "1", "Number of impacts", kNone},
+        [](const Results& r) { return static_cast<double>(r.impact_count); });
+  }
+}
+
+void add_vessel(Rules& list) {
+  using Results = DynamicResults;
+  add(list, {"largest_offset", "m", "Largest horizontal offset of the vessel from its place at the start", kLargest},
+      [](const Results& r) { return r.vessel ? r.vessel->offset.whole.max : 0.0; });
+  add(list, {"mean_surge", "m", "Mean surge of the vessel", kNone},
+      [](const Results& r) { return r.vessel ? r.vessel->surge.whole.mean : 0.0; });
+  add(list, {"mean_sway", "m", "Mean sway of the vessel", kNone},
+      [](const Results& r) { return r.vessel ? r.vessel->sway.whole.mean : 0.0; });
+  add(list, {"slow_surge_std", "m", "Standard deviation of the slow surge", kNone},
+      [](const Results& r) { return r.vessel ? r.vessel->surge.slow.std : 0.0; });
+  add(list, {"slow_sway_std", "m", "Standard deviation of the slow sway", kNone},
+      [](const Results& r) { return r.vessel ? r.vessel->sway.slow.std : 0.0; });
+}
+
+void add_moorings(Rules& list) {
+  add(list, {"largest_mooring_tension", "N", "Largest tension of a mooring line", kLargest}, largest_mooring_tension);
+  add(list, {"smallest_mooring_tension", "N", "Smallest tension of a mooring line", kSmallest},
+      smallest_mooring_tension);
+  add(list, {"largest_mooring_utilisation", "1", "Largest tension of a mooring line over its breaking load", kLargest},
+      largest_mooring_utilisation);
+}
+
+Rules rules(const StaticResults& statics, bool fatigue) {
+  Rules list;
+  if (statics.has_pipe()) add_pipe(list, statics);
+  if (statics.moorings || statics.hull) add_vessel(list);
+  if (statics.moorings) add_moorings(list);
+  if (statics.has_pipe()) {
+    add(list, {"worst_check_utilisation", "1", "Largest utilisation of a governing code check", kLargest},
+        worst_utilisation);
+  }
+  if (fatigue) {
+    add(list,
+        {"fatigue_path_damage", "1", "Fatigue damage of a weld on its way, of the worst spot; its mean counts", kNone},
+        fatigue_on_the_way);
+  }
+  add(list, {"energy_drift", "1", "Error of the energy balance relative to the energy exchanged", kNone},
+      [](const DynamicResults& r) { return r.energy.drift(); });
+  return list;
+}
+
+void fit(SeedStatistics& statistics, std::span<const double> values, bool largest, double duration) {
+  std::vector<double> turned;  // of largest values: their negatives have the distribution that fit_log_weibull fits
+  for (const double value : values) turned.push_back(largest ? -value : value);
+  std::sort(turned.begin(), turned.end());
+  const std::optional<LogWeibull> found = values.size() < kFewestRuns ? std::nullopt : fit_log_weibull(turned, 0);
+  statistics.enough = found.has_value();
+  if (!found) return;
+  const ConfidentEstimate least = confident(*found, turned.size(), 0, -std::log(kThreeHours / duration));
+  const double sign = largest ? -1.0 : 1.0;
+  statistics.mode = sign * found->location;
+  statistics.scale = found->scale;
+  statistics.estimate = sign * least.value;
+  statistics.low = largest ? -least.high : least.low;
+  statistics.high = largest ? -least.low : least.high;
+}
+
+}  // namespace
+
+std::vector<SeedQuantity> seed_quantities(const StaticResults& statics, bool fatigue) {
+  std::vector<SeedQuantity> quantities;
+  for (const Rule& rule : rules(statics, fatigue)) quantities.push_back(rule.quantity);
+  return quantities;
+}
+
+std::vector<double> seed_values(const StaticResults& statics, const DynamicResults& results, bool fatigue) {
+  std::vector<double> values;
+  for (const Rule& rule : rules(statics, fatigue)) values.push_back(rule.value(results));
+  return values;
+}
+
+SeedStatistics seed_statistics(std::span<const double> values, SeedExtreme extreme, double duration) {
+  SeedStatistics s;
+  const double count = static_cast<double>(values.size());
+  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+  s.min = *least;
+  s.max = *largest;
+  for (const double value : values) s.mean += value / count;
+  double squares = 0.0;
+  for (const double value : values) squares += (value - s.mean) * (value - s.mean);
+  s.std = values.size() > 1 ? std::sqrt(squares / (count - 1.0)) : 0.0;
+  if (extreme != SeedExtreme::none) fit(s, values, extreme == SeedExtreme::largest, duration);
+  return s;
+}
+
+bool never_negative(const std::string& quantity) {
+  return quantity == "smallest_mooring_tension";
+}
+
+namespace {
+
+bool changed(const SeedsResults& results) {
+  return std::ranges::any_of(
+      results.runs, [](const SeedRun& run) { return has_code(run.findings, FindingCode::record_not_stationary); });
+}
+
+void keep_from_negative(SeedStatistics& s) {
+  for (double* value : {&s.estimate, &s.low, &s.high}) *value = std::max(*value, 0.0);
+  if (!s.acer) return;
+  for (double* value : {&s.acer->estimate, &s.acer->low, &s.acer->high}) *value = std::max(*value, 0.0);
+}
+
+}  // namespace
+
+void fill_statistics(SeedsResults& results) {
+  results.statistics.clear();
+  if (results.runs.empty()) return;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < results.quantities.size(); ++i) {
+    values.clear();
+    for (const SeedRun& run : results.runs) {
+      if (!std::isnan(run.values.at(i))) values.push_back(run.values[i]);  // absent: counts for nothing
+    }
+    if (values.empty()) values.push_back(results.runs.front().values.at(i));
+    const SeedExtreme extreme = changed(results) ? SeedExtreme::none : results.quantities[i].extreme;
+    results.statistics.push_back(seed_statistics(values, extreme, results.duration));
+    if (never_negative(results.quantities[i].name)) keep_from_negative(results.statistics.back());
+  }
+}
+
+void add_acer(SeedsResults& results, std::span<const std::vector<HistoryPeaks>> peaks) {
+  if (changed(results)) return;
+  for (std::size_t i = 0; i < results.statistics.size(); ++i) {
+    if (results.quantities.at(i).extreme == SeedExtreme::none) continue;
+    const std::optional<AcerFit> fit = acer_of_result(peaks, results.quantities[i].name);
+    if (!fit) continue;
+    results.statistics[i].acer =
+        SeedAcer{fit->estimate.value, fit->estimate.low, fit->estimate.high, fit->order, fit->peaks};
+    if (never_negative(results.quantities[i].name)) keep_from_negative(results.statistics[i]);
+  }
+}
+
+}  // namespace overbend

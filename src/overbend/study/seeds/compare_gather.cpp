@@ -1,0 +1,169 @@
+#include "study/seeds/compare_gather.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "resultfiles/dynamic/dynamic_reader.h"
+#include "resultfiles/dynamic/long_data_reader.h"
+#include "study/run/seeds_gather.h"
+
+namespace overbend {
+namespace {
+
+/// What is compared of a run, and how it is found there.
+struct Rule {
+  SeedQuantity quantity;
+  double (*value)(const DynamicResults&);
+};
+
+using Results = DynamicResults;
+
+std::vector<Rule> tensioner_rules() {
+  return {
+      {{"tension_mean", "N", "Mean tension at the tensioner"},
+       [](const Results& r) { return r.tensioner.tension.mean; }},
+      {{"tension_std", "N", "Standard deviation of the tension"},
+       [](const Results& r) { return r.tensioner.tension.std; }},
+      {{"tension_min", "N", "Minimum tension"}, [](const Results& r) { return r.tensioner.tension.min; }},
+      {{"tension_max", "N", "Maximum tension"}, [](const Results& r) { return r.tensioner.tension.max; }},
+      {{"time_out_of_range", "s", "Time out of the operational range"},
+       [](const Results& r) { return r.tensioner.time_out_of_range; }},
+      {{"time_at_limit", "s", "Time at its travel limit"}, [](const Results& r) { return r.tensioner.time_at_limit; }},
+      {{"largest_travel", "m", "Largest travel, either way"},
+       [](const Results& r) { return std::max(std::abs(r.tensioner.travel.min), std::abs(r.tensioner.travel.max)); }},
+      {{"pay_out_count", "1", "Number of pay-outs"},
+       [](const Results& r) { return static_cast<double>(r.tensioner.pay_out_count); }},
+      {{"haul_in_count", "1", "Number of haul-ins"},
+       [](const Results& r) { return static_cast<double>(r.tensioner.haul_in_count); }},
+      {{"limit_count", "1", "Number of times at its travel limit"},
+       [](const Results& r) { return static_cast<double>(r.tensioner.limit_count); }},
+  };
+}
+
+/// The largest of a member over all rollers.
+double largest(const Results& results, double RollerDynamics::*member) {
+  double most = 0.0;
+  for (const SupportDynamics& box : results.supports) {
+    for (const RollerDynamics& roller : box.rollers) most = std::max(most, roller.*member);
+  }
+  return most;
+}
+
+double boxes_carrying(const Results& results) {
+  double sum = 0.0;
+  for (const SupportDynamics& box : results.supports) sum += box.contact_share;
+  return sum;
+}
+
+std::vector<Rule> contact_rules() {
+  return {
+      {{"boxes_carrying", "1", "Boxes that carry, on average"}, boxes_carrying},
+      {{"boxes_always_carrying", "1", "Boxes that always carry"},
+       [](const Results& r) {
+         return static_cast<double>(std::count_if(r.supports.begin(), r.supports.end(),
+                                                  [](const SupportDynamics& box) { return box.contact_share >= 1.0; }));
+       }},
+      {{"boxes_never_carrying", "1", "Boxes that never carry"},
+       [](const Results& r) {
+         return static_cast<double>(std::count_if(r.supports.begin(), r.supports.end(),
+                                                  [](const SupportDynamics& box) { return box.contact_share <= 0.0; }));
+       }},
+      {{"largest_dent_depth", "m", "Deepest dent of bare steel"},
+       [](const Results& r) { return largest(r, &RollerDynamics::dent_depth); }},
+      {{"largest_line_load", "N/m", "Largest line load on the coating"},
+       [](const Results& r) { return largest(r, &RollerDynamics::line_load); }},
+  };
+}
+
+std::vector<Rule> rules_of(ComparisonOf of) {
+  return of == ComparisonOf::tensioner ? tensioner_rules() : contact_rules();
+}
+
+/// Five periods of the sea up to the end, whole seconds; a minute where it has none.
+double close_look(const WavesDescription& waves, double duration) {
+  constexpr double kPeriods = 5.0;
+  const double period = waves.period > 0.0 ? waves.period : waves.tp;
+  return std::max(0.0, duration - (period > 0.0 ? std::ceil(kPeriods * period) : 60.0));
+}
+
+void read_tensioner(ComparedRun& run, const std::filesystem::path& h5, double from) {
+  const std::vector<double> time = read_history(h5, "time");
+  const std::vector<double> tension = read_history(h5, "tensioner/tension");
+  const std::vector<double> travel = read_history(h5, "tensioner/travel");
+  run.states = tensioner_spans(time, read_history(h5, "tensioner/state"));
+  const auto first = std::lower_bound(time.begin(), time.end(), from) - time.begin();
+  run.close = {{time.begin() + first, time.end()},
+               {tension.begin() + first, tension.end()},
+               {travel.begin() + first, travel.end()}};
+}
+
+ComparedBox compared_box(const SupportDynamics& box) {
+  ComparedBox out{box.contact_share, box.static_reaction, box.reaction.mean, box.reaction.max};
+  for (const RollerDynamics& roller : box.rollers) {
+    out.peak_force = std::max(out.peak_force, roller.reaction.max);
+    out.dent_depth = std::max(out.dent_depth, roller.dent_depth);
+    out.line_load = std::max(out.line_load, roller.line_load);
+    if (roller.position != RollerPosition::bottom) continue;
+    out.row_share.push_back(roller.contact_share);
+    out.row_peak.push_back(roller.reaction.max);
+  }
+  return out;
+}
+
+std::vector<ComparedBoxes> compared_boxes(const std::vector<ComparedRun>& runs) {
+  std::vector<ComparedBoxes> boxes;
+  const std::vector<SupportDynamics>& first = runs.front().results.supports;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    ComparedBoxes box{first[i].name, first[i].stinger, {}};
+    for (const ComparedRun& run : runs) box.runs.push_back(compared_box(run.results.supports.at(i)));
+    boxes.push_back(std::move(box));
+  }
+  return boxes;
+}
+
+std::vector<double> values_of(const std::vector<Rule>& rules, const StaticResults& statics, const Results& results) {
+  std::vector<double> values;
+  for (const Rule& rule : rules) values.push_back(rule.value(results));
+  const std::vector<double> key = seed_values(statics, results);
+  values.insert(values.end(), key.begin(), key.end());
+  return values;
+}
+
+}  // namespace
+
+std::vector<TensionerSpan> tensioner_spans(const std::vector<double>& time, const std::vector<double>& state) {
+  if (time.size() != state.size()) throw std::invalid_argument("a state for each time");
+  std::vector<TensionerSpan> spans;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const int now = static_cast<int>(std::lround(state[i]));
+    if (!spans.empty()) spans.back().to = time[i];
+    if (spans.empty() || spans.back().state != now) spans.push_back({time[i], time[i], now});
+  }
+  return spans;
+}
+
+Comparison gather_comparison(ComparisonOf of, const Description& description, const StaticResults& statics,
+                             const std::vector<FinishedVariant>& variants) {
+  const DynamicSettings& settings = *description.dynamics;
+  Comparison all;
+  all.of = of;
+  all.duration = settings.duration;
+  all.build_up = settings.build_up;
+  all.close_from = close_look(description.environment.waves, settings.duration);
+  const std::vector<Rule> rules = rules_of(of);
+  for (const Rule& rule : rules) all.quantities.push_back(rule.quantity);
+  const std::vector<SeedQuantity> key = seed_quantities(statics);
+  all.quantities.insert(all.quantities.end(), key.begin(), key.end());
+  for (const FinishedVariant& variant : variants) {
+    const std::filesystem::path h5 = variant.folder / "results.h5";
+    ComparedRun run{variant.name, variant.words, read_dynamic_results(h5).results};
+    run.values = values_of(rules, statics, run.results);
+    if (of == ComparisonOf::tensioner) read_tensioner(run, h5, all.close_from);
+    all.runs.push_back(std::move(run));
+  }
+  if (of != ComparisonOf::tensioner) all.boxes = compared_boxes(all.runs);
+  return all;
+}
+
+}  // namespace overbend

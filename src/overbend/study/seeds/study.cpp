@@ -1,0 +1,195 @@
+#include "study/seeds/study.h"
+
+#include <algorithm>
+
+#include "base/interruption.h"
+#include "report/studies/comparison_page.h"
+#include "resultfiles/dynamic/dynamic_reader.h"
+#include "resultfiles/studies/comparison_writer.h"
+#include "resultfiles/studies/seeds_writer.h"
+#include "results/findings.h"
+#include "runstore/staged_folder.h"
+#include "study/run/run_folder.h"
+#include "study/run/seeds_gather.h"
+#include "study/seeds/compare_gather.h"
+#include "study/seeds/compare_variants.h"
+
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Cases of the same model share what is prepared. Stops at the first that cannot be run.
+RunEnd prepare(const Description& base, const StudyPlan& plan, const fs::path& folder, std::vector<CaseRun>& runs) {
+  const std::vector<fs::path> folders = case_folders(plan, folder);
+  std::shared_ptr<const PreparedCase> prepared;
+  for (std::size_t i = 0; i < plan.cases.size(); ++i) {
+    const Case& one = plan.cases[i];
+    if (i == 0 || !same_model(plan.cases[i - 1], one)) {
+      std::variant<std::shared_ptr<const PreparedCase>, RunEnd> made;
+      try {
+        const Description description = describe(base, one);
+        const std::optional<RunEnd> calm = one.controllers.empty() ? refuse_calm_run(description) : std::nullopt;
+        made = calm ? *calm : prepare_case(description, one.controllers);
+      } catch (const std::runtime_error& fault) {  // a text that cannot be edited so
+        return {RunEnding::wrong_input, fault.what()};
+      }
+      if (const auto* fault = std::get_if<RunEnd>(&made)) return *fault;
+      prepared = std::move(std::get<std::shared_ptr<const PreparedCase>>(made));
+    }
+    runs.push_back({one.name, prepared, one.seed.value_or(dynamic_options(prepared->model).seed), folders[i]});
+  }
+  return {};
+}
+
+/// Keeps the table whose worst check is used more.
+void keep_worse(CheckTable& worst, CheckTable&& other) {
+  const CheckRow *a = worst_check(worst), *b = worst_check(other);
+  if (b != nullptr && (a == nullptr || b->utilisation > a->utilisation)) worst = std::move(other);
+}
+
+SeedsResults seeds_of(const std::vector<CaseRun>& runs, CheckTable& worst) {
+  const PreparedCase& shared = *runs.front().prepared;
+  SeedsResults results;
+  results.build_up = shared.description.dynamics->build_up;
+  results.quantities = seed_quantities(shared.statics, shared.description.fatigue.has_value());
+  std::vector<std::vector<HistoryPeaks>> peaks;
+  for (const CaseRun& run : runs) {
+    if (run.end.ending != RunEnding::done) {
+      results.failed.push_back({run.seed, run.end.why});
+      continue;
+    }
+    const fs::path h5 = run.folder / "results.h5";
+    DynamicResults read = read_dynamic_results(h5).results;
+    peaks.push_back(peaks_of_run(h5));
+    results.duration = read.duration;
+    results.runs.push_back({run.seed, run.name, seed_values(shared.statics, read, read.fatigue.has_value()),
+                            all_findings(shared.statics, read)});
+    keep_worse(worst, std::move(read.checks));
+  }
+  fill_statistics(results);
+  add_acer(results, peaks);
+  const WaveType type = shared.description.environment.waves.type;
+  if (type == WaveType::none || type == WaveType::airy || type == WaveType::stokes5) {
+    results.findings.push_back({FindingCode::sea_not_random, "the sea is not random: all seeds give the same results"});
+  }
+  return results;
+}
+
+/// Writes by `write` into a folder beside, which then takes the place of the study's.
+template <class Write>
+void put(const fs::path& folder, const std::string& last, const StudyPlan& plan, Write write) {
+  StagedFolder staged(folder);
+  write(staged.path());
+  std::vector<std::string> names;
+  for (const Case& one : plan.cases) names.push_back(one.name);
+  staged.commit(last, names);
+}
+
+void keep_record(const StudyEnd& end, const StudyPlan& plan, const fs::path& folder) {
+  change_record(folder, [&](RunRecord& record) {
+    const bool seeds = plan.kind == StudyKind::seeds;
+    record.kind = seeds ? "seeds" : "comparison";
+    record.of = seeds ? "" : word_of(plan.of);
+    record.seeds.clear();
+    for (const Case& one : plan.cases) {
+      if (one.seed) record.seeds.push_back(*one.seed);
+    }
+    record.title = end.statics.title;
+    record.duration = plan.cases.front().duration.value_or(0.0);
+    record.state = RunState::done;
+    record.progress = 1.0;
+  });
+}
+
+void gather_seeds(StudyEnd& end, const StudyPlan& plan, const std::vector<CaseRun>& runs, const fs::path& folder) {
+  end.seeds = seeds_of(runs, end.worst);
+  if (!end.failed.empty()) end.ending = RunEnding::no_solution;
+  if (end.seeds->runs.empty()) return;
+  put(folder, "summary.json", plan, [&](const fs::path& place) { write_seeds_files(end.statics, *end.seeds, place); });
+  keep_record(end, plan, folder);
+}
+
+void gather_variants(StudyEnd& end, const StudyPlan& plan, const std::vector<CaseRun>& runs, const fs::path& folder,
+                     const Description& base) {
+  if (!end.failed.empty()) {
+    end.ending = RunEnding::no_solution;
+    end.why = "no comparison is written";
+    return;
+  }
+  std::vector<FinishedVariant> finished;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    finished.push_back({plan.cases[i].name, plan.cases[i].words, runs[i].folder});
+  }
+  end.comparison = gather_comparison(plan.of, runs.front().prepared->description, end.statics, finished);
+  put(folder, "comparison.json", plan, [&](const fs::path& place) {
+    write_comparison_files(end.statics, *end.comparison, place);
+    write_comparison_page(end.statics, *end.comparison, base.source_text, place / "comparison.html");
+  });
+  keep_record(end, plan, folder);
+}
+
+/// When every case failed for a reason that is the input's.
+bool all_wrong(const std::vector<CaseRun>& runs) {
+  return std::ranges::all_of(runs, [](const CaseRun& run) { return run.end.ending == RunEnding::wrong_input; });
+}
+
+void gather(StudyEnd& end, const StudyPlan& plan, const std::vector<CaseRun>& runs, const fs::path& folder,
+            const Description& base) {
+  if (all_wrong(runs)) {
+    end.ending = RunEnding::wrong_input;
+    end.why = runs.front().end.why;
+    std::error_code ignored;
+    if (fs::is_directory(folder, ignored)) fs::remove(folder, ignored);  // where nothing else is in it
+    return;
+  }
+  for (const CaseRun& run : runs) {
+    if (run.end.ending != RunEnding::done) end.failed.push_back({run.name, run.end.why});
+  }
+  if (plan.kind == StudyKind::seeds) return gather_seeds(end, plan, runs, folder);
+  gather_variants(end, plan, runs, folder, base);
+}
+
+}  // namespace
+
+namespace {
+
+StudyEnd run_to_end(const Description& base, const StudyPlan& plan, const fs::path& folder, const CaseOptions& options,
+                    CaseWatch& watch, FileLock& files) {
+  StudyEnd end;
+  std::vector<CaseRun> runs;
+  static_cast<RunEnd&>(end) = prepare(base, plan, folder, runs);
+  if (end.ending != RunEnding::done) return end;
+  end.statics = runs.front().prepared->statics;
+  static_cast<RunEnd&>(end) = run_cases(runs, options, watch, files);
+  if (end.ending != RunEnding::done) return end;
+  if (plan.kind == StudyKind::single) {
+    const RunEnd& ended = runs.front().end;
+    static_cast<RunEnd&>(end) = ended;
+    end.single = std::move(runs.front());
+    return end;
+  }
+  const std::lock_guard hold(files);
+  try {
+    gather(end, plan, runs, folder, base);
+  } catch (const UnusableFolder& fault) {  // the results of the cases stay, and a second try writes what is missing
+    static_cast<RunEnd&>(end) = {RunEnding::wrong_input, fault.what()};
+  }
+  return end;
+}
+
+}  // namespace
+
+StudyEnd run_study(const Description& base, const StudyPlan& plan, const fs::path& folder, const CaseOptions& options,
+                   CaseWatch& watch, FileLock& files) {
+  const InterruptionScope scope([&] { return watch.stop(); });
+  try {
+    return run_to_end(base, plan, folder, options, watch, files);
+  } catch (const Interrupted&) {  // before or after the runs
+    StudyEnd end;
+    static_cast<RunEnd&>(end) = {RunEnding::interrupted, "interrupted"};
+    return end;
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,57 @@
+// What there is to run.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "study/seeds/compare_variants.h"
+#include "study/seeds/study.h"
+
+namespace overbend {
+namespace {
+
+std::optional<std::uint64_t> twice(std::vector<std::uint64_t> seeds) {
+  std::ranges::sort(seeds);
+  const auto found = std::ranges::adjacent_find(seeds);
+  return found == seeds.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace
+
+StudyPlan plan_single(std::optional<double> duration) {
+  Case one;
+  one.duration = duration;
+  return {StudyKind::single, ComparisonOf::tensioner, {one}};
+}
+
+std::vector<Case> seed_cases(const std::vector<std::uint64_t>& seeds) {
+  std::vector<Case> cases;
+  for (const std::uint64_t seed : seeds) {
+    cases.push_back({fmt::format("seed-{}", seed), fmt::format("Seed {}", seed), {}, {}, seed});
+  }
+  return cases;
+}
+
+std::variant<StudyPlan, std::string> plan_seeds(const std::vector<std::uint64_t>& seeds,
+                                                std::optional<double> duration) {
+  if (seeds.empty()) return "analysis.dynamic.seeds: no seed is given, expected at least one";
+  if (const auto found = twice(seeds)) return fmt::format("analysis.dynamic.seeds: {} is given twice", *found);
+  StudyPlan plan{StudyKind::seeds, ComparisonOf::tensioner, seed_cases(seeds)};
+  for (Case& one : plan.cases) one.duration = duration;
+  return plan;
+}
+
+std::variant<StudyPlan, std::string> plan_comparison(ComparisonOf of, const Description& base,
+                                                     std::optional<double> duration) {
+  if (std::optional<std::string> obstacle = comparison_obstacle(of, base)) return std::move(*obstacle);
+  StudyPlan plan{StudyKind::comparison, of, variants_of(of)};
+  for (Case& one : plan.cases) one.duration = duration;
+  return plan;
+}
+
+std::vector<std::filesystem::path> case_folders(const StudyPlan& plan, const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> folders;
+  for (const Case& one : plan.cases) folders.push_back(one.name.empty() ? folder : folder / one.name);
+  return folders;
+}
+
+}  // namespace overbend

@@ -1,0 +1,79 @@
+#include "study/stages/lay_operation.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "base/version.h"
+#include "model/lay_stage.h"
+#include "statics/solver/static_obstacle.h"
+#include "study/stages/stage_tension.h"
+
+namespace overbend {
+namespace {
+
+/// How far a length of the pipe that lies on the bed goes over level ground: the cosine of the bed's slope, of an
+/// uneven bed that of the whole laid part.
+double level_share(const StaticResults& r) {
+  double along = 0.0, level = 0.0;
+  for (std::size_t i = 1; i < r.stations.size() && r.stations[i].region == Region::seabed; ++i) {
+    const Vec3 step = r.stations[i].p_W - r.stations[i - 1].p_W;
+    along += step.norm();
+    level += step.head<2>().norm();
+  }
+  return along > 0.0 ? level / along : 1.0;
+}
+
+/// Horizontal distance from the stern shoe to a point of the line that lies still on the bed, and stays there from
+/// stage to stage, but for a constant [m].
+double distance_to_laid(const StageResult& stage) {
+  const StaticResults& r = *stage.lay;
+  if (r.far_anchor) return r.far_anchor->distance;
+  const LayStageDescription& at = stage.stage;
+  const double come = at.cable_out.value_or(at.ahead.value_or(at.passed.value_or(0.0)));
+  return r.lay_back - level_share(r) * (r.length_top_to_touchdown - come);
+}
+
+/// Against the first stage that stands. While ballast is changed the barge stays, and the tensioner pays out or takes
+/// in.
+void place_barge(std::vector<StageResult>& stages) {
+  std::optional<double> first;
+  for (StageResult& stage : stages) {
+    if (!stage.lay || stage.stage.tank_weight || stage.stage.tank_ballast) continue;
+    if (!first) first = distance_to_laid(stage);
+    stage.barge_ahead = distance_to_laid(stage) - *first;
+  }
+}
+
+void copy_head(OperationResults& results, const Description& description) {
+  results.title = description.title;
+  results.version = kVersion;
+  results.type = description.operation.type;
+}
+
+}  // namespace
+
+OperationResults solve_operation(const Description& description,
+                                 const std::function<bool(const StageResult&, std::size_t of)>& told) {
+  const auto begin = std::chrono::steady_clock::now();
+  OperationResults results;
+  copy_head(results, description);
+  const std::vector<LayStageDescription> stages = lay_stages(description);
+  StageSolver solver(description);
+  const std::vector<PlannedStage> planned = solver.plan(stages);
+  for (const PlannedStage& stage : planned) {
+    results.stages.push_back(solver.solve(stage));
+    if (told && !told(results.stages.back(), planned.size())) break;
+  }
+  place_barge(results.stages);
+  results.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return results;
+}
+
+std::optional<StaticFailure> operation_obstacle(const Description& description) {
+  for (const LayStageDescription& stage : lay_stages(description)) {
+    if (auto obstacle = static_obstacle(at_stage(description, stage))) return obstacle;
+  }
+  return std::nullopt;
+}
+
+}  // namespace overbend

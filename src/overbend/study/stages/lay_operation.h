@@ -1,0 +1,21 @@
+/// An operation on the line, all its stages: statics of each, from that before.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "model/description/description.h"
+#include "results/operation_results.h"
+#include "statics/solver/statics.h"
+
+namespace overbend {
+
+/// Solves the stages one after the other, each from the solution of the last. A stage without an equilibrium says why
+/// and leaves the others standing. `told`, where given, hears of every stage that is done; false from it ends the rest.
+OperationResults solve_operation(const Description& description,
+                                 const std::function<bool(const StageResult&, std::size_t of)>& told = {});
+
+/// Why stages of the operation cannot be solved whatever their numbers, though the model can say it.
+std::optional<StaticFailure> operation_obstacle(const Description& description);
+
+}  // namespace overbend

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include "dynamics/setup/dynamic_obstacle.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "support/bgl1_in_time.h"
+
+namespace overbend {
+namespace {
+
+using testing::workable;
+
+TEST(dynamic_obstacle, says_why_a_model_has_statics_but_no_dynamic_analysis) {
+  Description d = workable();
+  d.dynamics.reset();
+  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  d = workable();
+  d.vessel.motion = VesselMotion::coupled;
+  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  d = workable();
+  d.tensioner.tension = 300e3;
+  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  EXPECT_FALSE(dynamic_obstacle(build_model(workable())));
+}
+
+TEST(dynamic_obstacle, of_a_hull_on_moorings_alone_is_what_it_is_of_a_lay) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/moored-barge.yaml").description.value();
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
+  d.vessel.coupled->data.reset();
+  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  d.moorings.reset();
+  const std::optional<StaticFailure> obstacle = dynamic_obstacle(build_model(d));
+  ASSERT_TRUE(obstacle);
+  EXPECT_TRUE(obstacle->input);
+  EXPECT_EQ(obstacle->what, "the model has no pipe");
+}
+
+TEST(dynamic_obstacle, lets_a_told_vessel_move_ahead_but_not_at_once) {
+  Description d = workable();
+  d.operation.type = OperationType::pull_ahead;
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
+  d.operation.acceleration_time = 0.0;
+  const std::optional<StaticFailure> obstacle = dynamic_obstacle(build_model(d));
+  ASSERT_TRUE(obstacle);
+  EXPECT_EQ(obstacle->key, "operation.acceleration_time");
+}
+
+TEST(dynamic_obstacle, lets_a_told_vessel_start_in_full_motion_only_where_statics_leave_it) {
+  Description d = workable();
+  d.dynamics->build_up = 0.0;
+  d.environment.waves.hs = 4.0;
+  const std::optional<StaticFailure> obstacle = dynamic_obstacle(build_model(d));
+  ASSERT_TRUE(obstacle);
+  EXPECT_EQ(obstacle->key, "analysis.dynamic.build_up");
+  EXPECT_NE(obstacle->why.find("the stern shoe leaps by"), std::string::npos) << obstacle->why;
+  d.vessel.motion = VesselMotion::harmonic;
+  d.vessel.harmonic["heave"] = {0.5, 10.0, 0.0};  // passes its mean at t = 0
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
+  d.vessel.harmonic["heave"].phase = 0.5;
+  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  d.vessel.harmonic["heave"].amplitude = 0.1;  // a small leap is told
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
+  d.vessel.motion = VesselMotion::fixed;
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
+}
+
+TEST(dynamic_obstacle, is_a_record_that_ends_before_the_last_row_of_the_run) {
+  Description d = workable();
+  d.vessel.motion = VesselMotion::history;
+  d.vessel.history.emplace();
+  for (int i = 0; i <= 61; ++i) {
+    d.vessel.history->time.push_back(0.2 * i);
+    d.vessel.history->freedoms.push_back({});
+  }
+  d.dynamics->duration = 12.0;
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
+  d.dynamics->duration = 12.2;  // of the whole record: the last row is at 12.5 s
+  const std::optional<StaticFailure> obstacle = dynamic_obstacle(build_model(d));
+  ASSERT_TRUE(obstacle);
+  EXPECT_EQ(obstacle->key, "vessel.motion.history");
+  EXPECT_NE(obstacle->why.find("the run from 0 s to 12.5 s"), std::string::npos) << obstacle->why;
+  d.dynamics->output_step = 0.2;
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
+}
+
+}  // namespace
+}  // namespace overbend

@@ -1,0 +1,133 @@
+// Keys of a goal seek: what they fill, and what the reader refuses.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "modelfile/model_texts.h"
+#include "modelfile/reading/seek_reader.h"
+#include "modelfile/reading/yaml_reader.h"
+#include "support/solved_case.h"
+
+namespace overbend {
+namespace {
+
+ModelReading with_seek(const std::string& seek) {
+  return read_model_text(testing::kGoodModel + "\nseek:\n" + seek, "seek.yaml");
+}
+
+SeekDescription seek_of(const std::string& text) {
+  const ModelReading reading = with_seek(text);
+  for (const std::string& line : reading.diagnostics.lines(Severity::error)) ADD_FAILURE() << line;
+  return reading.description ? read_seek(*reading.description).value_or(SeekDescription{}) : SeekDescription{};
+}
+
+/// The one complaint about a seek.
+std::string complaint(const std::string& seek) {
+  const std::vector<std::string> errors = with_seek(seek).diagnostics.lines(Severity::error);
+  EXPECT_EQ(errors.size(), 1U) << seek;
+  return errors.empty() ? "" : errors.front();
+}
+
+void expect_words(const std::string& text, const std::vector<std::string>& words) {
+  for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
+}
+
+TEST(seek_keys, fill_bounds_and_conditions_in_si) {
+  const SeekDescription seek = seek_of(
+      "  vary: {key: tensioner.tension, from: 150 kN, to: 600 kN}\n"
+      "  until: {result: static.sagbend.max_bending_stress, equals: 100 MPa}\n");
+  ASSERT_EQ(seek.vary.size(), 1U);
+  EXPECT_EQ(seek.vary[0].from, 150e3);
+  EXPECT_EQ(seek.vary[0].to, 600e3);
+  EXPECT_EQ(seek.vary[0].show, "kN");
+  ASSERT_EQ(seek.until.size(), 1U);
+  EXPECT_EQ(seek.until[0].relation, SeekRelation::equals);
+  EXPECT_EQ(seek.until[0].value, 100e6);
+}
+
+TEST(seek_keys, do_not_take_the_radius_of_listed_boxes) {
+  const std::string line = complaint(
+      "  vary: {key: supports.stinger.radius, from: 100 m, to: 200 m}\n"
+      "  until: {result: static.lay_back, equals: 200 m}\n");
+  expect_words(line, {"seek.vary", "supports.stinger.radius' of listed boxes", "replace the list by a row of boxes"});
+}
+
+TEST(seek_keys, take_lists_patterns_plain_numbers_and_something_to_minimise) {
+  const SeekDescription seek = seek_of(
+      "  vary:\n"
+      "    - {key: 'supports.stinger.boxes[*].z', within: 300 mm}\n"
+      "    - {key: environment.seabed.friction, from: 0.1, to: 1}\n"
+      "  until:\n"
+      "    - {result: static.stinger_tip_clearance, at_least: 0.3 m}\n"
+      "    - {result: static.overbend.max_strain, at_most: 0.2 %}\n"
+      "  minimise: spread(static.supports[*].reaction)\n");
+  ASSERT_EQ(seek.vary.size(), 2U);
+  EXPECT_EQ(seek.vary[0].within, 0.3);
+  EXPECT_FALSE(seek.vary[0].from);
+  EXPECT_EQ(seek.vary[1].from, 0.1);
+  ASSERT_EQ(seek.until.size(), 2U);
+  EXPECT_EQ(seek.until[0].relation, SeekRelation::at_least);
+  EXPECT_NEAR(seek.until[1].value, 0.002, 1e-15);
+  EXPECT_EQ(seek.minimise, "spread(static.supports[*].reaction)");
+}
+
+TEST(seek_keys, a_key_has_to_be_a_number_of_the_model) {
+  const std::string until = "  until: {result: static.lay_back, equals: 300 m}\n";
+  expect_words(complaint("  vary: {key: tensioner.tention, from: 1 kN, to: 2 kN}\n" + until),
+               {"seek.yaml:", "seek.vary.key", "tensioner.tention", "tensioner.tension"});
+  expect_words(complaint("  vary: {key: vessel.name, from: 1 kN, to: 2 kN}\n" + until),
+               {"seek.vary.key", "vessel.name"});
+  expect_words(complaint("  vary: {key: 'supports.stinger.boxes[nobody].z', within: 1 m}\n" + until),
+               {"seek.vary.key", "nobody", "an item that the list has"});
+}
+
+TEST(seek_keys, of_lines_by_themselves_nothing_is_sought) {
+  const std::string lines = testing::file_text(OVERBEND_SOURCE_DIR "/examples/jumper.yaml");
+  const ModelReading reading =
+      read_model_text(lines +
+                          "\nseek:\n  vary: {key: 'lines[0].segments[0].length', from: 165 m, to: 180 m}\n"
+                          "  until: {result: 'static.lines[0].first.tension', equals: 25 kN}\n",
+                      OVERBEND_SOURCE_DIR "/examples/sought.yaml");
+  ASSERT_EQ(reading.diagnostics.lines(Severity::error).size(), 1U);
+  expect_words(reading.diagnostics.lines(Severity::error).front(),
+               {"seek.until.result", "can be solved and run in time"});
+}
+
+/// Nothing that a goal seek looks at hangs on them.
+TEST(seek_keys, a_key_of_the_operation_is_none_to_vary) {
+  expect_words(complaint("  vary: {key: operation.head.weight_submerged, from: 5 kN, to: 30 kN}\n"
+                         "  until: {result: static.lay_back, equals: 300 m}\n"),
+               {"seek.vary.key", "a goal seek looks at the lay as such"});
+}
+
+TEST(seek_keys, bounds_have_the_dimension_and_the_range_of_their_key) {
+  const std::string until = "  until: {result: static.lay_back, equals: 300 m}\n";
+  expect_words(complaint("  vary: {key: tensioner.tension, from: 1 m, to: 600 kN}\n" + until),
+               {"seek.vary.from", "a length", "a force"});
+  expect_words(complaint("  vary: {key: environment.water_depth, from: -5 m, to: 60 m}\n" + until),
+               {"seek.vary.from", "-5 m"});
+  expect_words(complaint("  vary: {key: tensioner.tension, from: 600 kN, to: 150 kN}\n" + until),
+               {"seek.vary.to", "more than the lower bound"});
+  expect_words(complaint("  vary: {key: tensioner.tension, from: 600 kN}\n" + until),
+               {"seek.vary", "from and to, or within"});
+  expect_words(complaint("  vary: {key: tensioner.tension, from: 1 kN, to: 2 kN, within: 3 kN}\n" + until),
+               {"bounds given twice"});
+}
+
+TEST(seek_keys, a_result_has_to_be_one_and_its_value_of_its_dimension) {
+  const std::string vary = "  vary: {key: tensioner.tension, from: 150 kN, to: 600 kN}\n";
+  expect_words(complaint(vary + "  until: {result: static.sagbend.max_bending_stres, equals: 100 MPa}\n"),
+               {"seek.until.result", "did you mean 'static.sagbend.max_bending_stress'?"});
+  expect_words(complaint(vary + "  until: {result: static.lay_back, equals: 100 MPa}\n"),
+               {"seek.until.equals", "a force per area", "a length"});
+  expect_words(complaint(vary + "  until: {result: static.lay_back}\n"), {"one of equals, at_most or at_least"});
+  expect_words(complaint(vary + "  until: {result: static.lay_back, equals: 1 m, at_most: 2 m}\n"),
+               {"several values for the result"});
+  expect_words(complaint(vary), {"seek.until", "a condition on a result"});
+  expect_words(complaint(vary + "  until: {result: 'operation.stages[A].sagbend.max_strain', at_most: 0.2 %}\n"),
+               {"seek.until.result", "a goal seek looks at the lay as such, not at the stages of its operation"});
+  expect_words(complaint(vary + "  minimise: static.lay_bak\n"), {"seek.minimise", "static.lay_back"});
+}
+
+}  // namespace
+}  // namespace overbend

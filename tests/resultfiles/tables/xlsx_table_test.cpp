@@ -1,0 +1,83 @@
+#include "resultfiles/tables/xlsx_table.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "runstore/append_file.h"
+#include "support/solved_case.h"
+#include "support/zip_text.h"
+
+namespace overbend {
+namespace {
+
+DataTable small_table() {
+  DataTable table;
+  table.name = "lay table: 1/2";
+  table.columns = {{"row"}, {"top tension [kN]", 1}, {"verdict"}};
+  table.rows = {
+      {std::string("step"), 251.25, VerdictCell{VerdictKind::passed, "passed"}},
+      {std::string("a & b"), std::numeric_limits<double>::quiet_NaN(), VerdictCell{VerdictKind::exceeded, "exceeded"}},
+      {std::string("empty"), std::monostate(), VerdictCell{VerdictKind::exceeded, "no lay"}}};
+  return table;
+}
+
+std::map<std::string, std::string> parts_of(const DataTable& table) {
+  const testing::TemporaryFolder folder;
+  write_xlsx({table}, folder / "table.xlsx");
+  return testing::zip_texts(testing::file_text(folder / "table.xlsx"));
+}
+
+}  // namespace
+
+TEST(xlsx_table, numbers_are_numbers_and_texts_are_shared_texts) {
+  const auto parts = parts_of(small_table());
+  const std::string& sheet = parts.at("xl/worksheets/sheet1.xml");
+  EXPECT_NE(sheet.find("<v>251.25</v>"), std::string::npos);
+  EXPECT_EQ(sheet.find("nan"), std::string::npos);
+  EXPECT_EQ(sheet.find("r=\"B4\""), std::string::npos);  // an empty cell is not there
+  const std::string& texts = parts.at("xl/sharedStrings.xml");
+  for (const char* text : {"top tension [kN]", "a &amp; b", "passed", "exceeded", "no lay"}) {
+    EXPECT_NE(texts.find(text), std::string::npos) << text;
+  }
+}
+
+TEST(xlsx_table, head_is_frozen_and_columns_have_their_decimals) {
+  const auto parts = parts_of(small_table());
+  EXPECT_NE(parts.at("xl/worksheets/sheet1.xml").find("state=\"frozen\""), std::string::npos);
+  EXPECT_NE(parts.at("xl/styles.xml").find("formatCode=\"0.0\""), std::string::npos);
+  EXPECT_NE(parts.at("xl/workbook.xml").find("name=\"lay table  1 2\""), std::string::npos);
+}
+
+TEST(xlsx_table, the_same_table_gives_the_same_bytes) {
+  const testing::TemporaryFolder folder;
+  write_xlsx({small_table(),
+              [] {
+                DataTable second = small_table();
+                second.name = "second";
+                return second;
+              }()},
+             folder / "a.xlsx");
+  write_xlsx({small_table(),
+              [] {
+                DataTable second = small_table();
+                second.name = "second";
+                return second;
+              }()},
+             folder / "b.xlsx");
+  EXPECT_EQ(testing::file_text(folder / "a.xlsx"), testing::file_text(folder / "b.xlsx"));
+  EXPECT_EQ(testing::zip_texts(testing::file_text(folder / "a.xlsx")).at("docProps/core.xml").find("2026"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.xlsx.part"));
+}
+
+TEST(xlsx_table, a_folder_that_is_not_there_is_a_fault_of_the_file) {
+  EXPECT_THROW(write_xlsx({small_table()}, "/no/such/folder/table.xlsx"), FileFault);
+}
+
+TEST(data_table, csv_has_the_cells_of_the_workbook) {
+  EXPECT_EQ(csv_text(small_table()),
+            "row,top tension [kN],verdict\r\nstep,251.25,passed\r\na & b,,exceeded\r\nempty,,no lay\r\n");
+}
+
+}  // namespace overbend

@@ -1,0 +1,73 @@
+#include "study/run/prepared_case.h"
+
+#include <gtest/gtest.h>
+
+#include "study/run/case.h"
+#include "support/bgl1_in_time.h"
+#include "support/moored_lay.h"
+
+namespace overbend {
+namespace {
+
+class Nothing : public Controller {
+ public:
+  MachineCommand command(const MachineReading& /*seen*/) override { return {}; }
+};
+
+std::string input_with(const std::vector<ControllerUse>& controllers) {
+  return std::get<0>(prepare_case(testing::workable(), controllers))->input;
+}
+
+TEST(prepared_case, is_another_input_with_controllers_and_with_each_machine_and_interval) {
+  Nothing nothing;
+  const std::string alone = input_with({});
+  const std::string driven = input_with({{"tensioner", &nothing, 0.1}});
+  EXPECT_NE(driven, alone);
+  EXPECT_EQ(driven, input_with({{"tensioner", &nothing, 0.1}}));
+  EXPECT_NE(driven, input_with({{"tensioner", &nothing, 0.2}}));
+  EXPECT_NE(driven, input_with({{"bow", &nothing, 0.1}}));
+}
+
+TEST(prepared_case, of_a_hull_without_a_pipe_has_its_lines_and_no_controllers) {
+  const Description barge = testing::coarse_example("moored-barge", 5.0, 2.0);
+  const auto prepared = std::get<0>(prepare_case(barge));
+  EXPECT_FALSE(prepared->statics.has_pipe());
+  EXPECT_EQ(prepared->statics.title, barge.title);
+  EXPECT_EQ(prepared->statics.moorings->rest.moorings.size(), 8U);
+  Nothing nothing;
+  const RunEnd refused = std::get<RunEnd>(prepare_case(barge, {{"port bow", &nothing, 0.1}}));
+  EXPECT_EQ(refused.ending, RunEnding::wrong_input);
+  EXPECT_NE(refused.why.find("need a pipe"), std::string::npos) << refused.why;
+}
+
+TEST(prepared_case, of_a_hull_that_floats_in_statics_alone_warns_that_it_will_not_in_time) {
+  Description barge = testing::coarse_example("moored-barge", 5.0, 2.0);
+  barge.vessel.motion = VesselMotion::fixed;
+  barge.vessel.coupled.reset();
+  barge.vessel.hydrostatics = HydrostaticsDescription{3.6e7, 2.1e9, 4.3e10};
+  const auto prepared = std::get<0>(prepare_case(barge));
+  const std::vector<std::string> warnings = messages(prepared->statics.moorings->findings);
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.find("vessel.hydrostatics serve statics alone") != std::string::npos;
+  }));
+}
+
+TEST(prepared_case, of_a_hull_hangs_on_all_its_files_whichever_of_them_is_named) {
+  Description barge = testing::coarse_example("moored-barge", 5.0, 2.0);
+  const std::string by_stem = input_text(barge);
+  barge.vessel.coupled->hydrodynamics += ".1";
+  EXPECT_EQ(input_text(barge), by_stem);
+}
+
+TEST(prepared_case, of_cases_with_controllers_is_never_shared) {
+  Nothing nothing;
+  Case first, second;
+  EXPECT_TRUE(same_model(first, second));
+  second.controllers = {{"tensioner", &nothing, 0.1}};
+  EXPECT_FALSE(same_model(first, second));
+  first.controllers = second.controllers;
+  EXPECT_FALSE(same_model(first, second));
+}
+
+}  // namespace
+}  // namespace overbend
