@@ -5,6 +5,7 @@
 #include "study/run/case.h"
 #include "support/bgl1_in_time.h"
 #include "support/moored_lay.h"
+#include "support/us_units.h"
 
 namespace overbend {
 namespace {
@@ -67,6 +68,20 @@ TEST(prepared_case, of_cases_with_controllers_is_never_shared) {
   EXPECT_FALSE(same_model(first, second));
   first.controllers = second.controllers;
   EXPECT_FALSE(same_model(first, second));
+}
+
+TEST(prepared_case, a_stage_is_the_same_input_in_whichever_units_it_is_shown) {
+  Description d;
+  d.stage = LayStageDescription{};
+  d.stage->name = "hold 2";
+  d.stage->cable_out = 120.0;
+  const std::string metric = input_text(d);
+  {
+    const UsUnits units;
+    EXPECT_EQ(input_text(d), metric);
+  }
+  d.stage->cable_out = 120.0000001;
+  EXPECT_NE(input_text(d), metric);
 }
 
 }  // namespace

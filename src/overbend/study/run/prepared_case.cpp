@@ -24,6 +24,16 @@ std::string file_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+/// A stage by its bits in SI: its words hang on the units that are shown.
+std::string stage_text(const LayStageDescription& stage, OperationType type) {
+  std::string text = fmt::format("stage '{}' of the operation {}:", stage.name, operation_word(type));
+  for (const std::optional<double>& value : {stage.cable_out, stage.pipe_out, stage.passed, stage.ahead, stage.tension,
+                                             stage.bottom_tension, stage.tank_weight, stage.tank_ballast}) {
+    text += value ? fmt::format(" {:a}", *value) : " -";
+  }
+  return text;
+}
+
 /// Those that the model names, of a hull's files of one stem all that may be read.
 std::vector<std::string> named_files(const Description& d) {
   std::vector<std::string> files = {d.vessel.motion_file, d.environment.waves.spectrum_file,
@@ -73,7 +83,7 @@ std::string input_text(const Description& d) {
     text += "\n# " + std::to_string(file_text(file).size()) + " bytes\n" + file_text(file);
   }
   if (d.stage) {
-    text += fmt::format("\n# {}, {:a} N\n", stage_words(*d.stage, d.operation.type), d.stage->tension.value_or(0.0));
+    text += "\n# " + stage_text(*d.stage, d.operation.type) + "\n";
   }
   return text + fmt::format("\n# duration {:a}\n", d.dynamics ? d.dynamics->duration : 0.0);
 }
