@@ -50,6 +50,22 @@ TEST(shown_unit, a_number_is_never_minus_zero_nor_not_a_number) {
   EXPECT_EQ(shown_number(std::nan(""), "N", 1), "-");
 }
 
+TEST(shown_unit, of_stiffness_weight_and_moduli_are_those_that_engineers_read) {
+  EXPECT_EQ(shown_digits(39.6e6, contact_stiffness_unit(), 3), "39.6 MN/m");
+  EXPECT_EQ(shown(165.5e6, axial_stiffness_unit(), 1), "165.5 MN");
+  EXPECT_EQ(shown_digits(207e9, modulus_unit(), 4), "207 GPa");
+  EXPECT_EQ(shown_digits(812.5, line_weight_unit(), 4), "812.5 N/m");
+  EXPECT_EQ(shown_digits(100e3, bed_stiffness_unit(), 4), "100 kN/m");
+  EXPECT_EQ(shown_digits_number(245.5e3, shown_unit("N"), 4), "245.5");
+  const UsUnits us;
+  EXPECT_EQ(shown_digits(1e6, contact_stiffness_unit(), 4), "5.71 kip/in");  // 224.81 kip over 39.370 in
+  EXPECT_EQ(shown(1e6, axial_stiffness_unit(), 1), "225 kip");
+  EXPECT_EQ(shown_digits(207e9, modulus_unit(), 4), "30023 ksi");
+  EXPECT_EQ(shown_digits(1000.0, line_weight_unit(), 4), "68.52 lbf/ft");
+  EXPECT_EQ(shown_digits(100e3, bed_stiffness_unit(), 4), "2089 lbf/ft");  // per foot of penetration
+  EXPECT_EQ(shown_digits(400.0, "m", 3), "1312 ft");
+}
+
 /// A value that is printed with its unit, as it is pasted into a model file.
 void expect_reads_back(const ShownUnit& unit) {
   const std::string text = unit.name.empty() ? "2 %" : "2 " + std::string(unit.name);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/shown_unit.h"
 #include "base/units.h"
 
 namespace overbend {
@@ -125,11 +126,9 @@ std::string spaced(std::string name) {
 
 /// "effective tension -155.9 to -6.9 kN"
 std::string range_text(const FindingNumber& number, double low, double high) {
-  const bool kilo = number.unit == "N" || number.unit == "N m";
-  const bool mega = number.unit == "Pa";
-  const double factor = kilo ? 1e-3 : mega ? 1e-6 : 1.0;
-  const std::string unit = number.unit == "1" ? "" : (kilo ? " k" : mega ? " M" : " ") + number.unit;
-  return fmt::format("{} {:.4g} to {:.4g}{}", spaced(number.name), factor * low, factor * high, unit);
+  const ShownUnit unit = number.unit == "rad" ? ShownUnit{"rad", "rad"} : shown_unit(number.unit);
+  return fmt::format("{} {} to {}", spaced(number.name), shown_digits_number(low, unit, 4),
+                     shown_digits(high, unit, 4));
 }
 
 void add_to(SharedFinding& shared, const Finding& finding) {

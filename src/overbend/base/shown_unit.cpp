@@ -116,6 +116,29 @@ ShownUnit section_length() {
   return units_in_use() == UnitSystem::us ? ShownUnit{"m", "in", 1.0 / kInch, 3, 2} : ShownUnit{"m", "mm", 1e3, 1};
 }
 
+ShownUnit line_weight_unit() {
+  return units_in_use() == UnitSystem::us ? shown_unit("N/m") : ShownUnit{"N/m", "N/m", 1.0, 1};
+}
+
+ShownUnit contact_stiffness_unit() {
+  return units_in_use() == UnitSystem::us ? ShownUnit{"N/m", "kip/in", kInch / kKip, 1}
+                                          : ShownUnit{"N/m", "MN/m", 1e-6, 1};
+}
+
+ShownUnit axial_stiffness_unit() {
+  return units_in_use() == UnitSystem::us ? ShownUnit{"N", "kip", 1.0 / kKip, 0, -1} : ShownUnit{"N", "MN", 1e-6, 1};
+}
+
+ShownUnit modulus_unit() {
+  return units_in_use() == UnitSystem::us ? ShownUnit{"Pa", "ksi", 1.0 / kKsi, 0, -1} : ShownUnit{"Pa", "GPa", 1e-9, 1};
+}
+
+ShownUnit bed_stiffness_unit() {
+  ShownUnit unit = shown_unit("N/m2");
+  unit.name = shown_unit("N/m").name;
+  return unit;
+}
+
 ShownUnit route_length() {
   return units_in_use() == UnitSystem::us ? ShownUnit{"m", "ft", 1.0 / kFoot, 0, -3} : ShownUnit{"m", "km", 1e-3, 3};
 }
@@ -132,8 +155,16 @@ std::string shown(double value, const ShownUnit& unit, int decimals) {
   return with_unit(shown_number(value, unit, decimals), unit);
 }
 
+std::string shown_digits_number(double value, const ShownUnit& unit, int digits) {
+  const double shown_value = value * unit.factor;
+  std::string text = fmt::format("{:.{}g}", shown_value, digits);
+  // US units are often so small that a metric number of three digits has four: no exponent for those.
+  const bool large = units_in_use() == UnitSystem::us && text.find("e+") != std::string::npos;
+  return large ? fixed_text(shown_value, 0) : text;
+}
+
 std::string shown_digits(double value, const ShownUnit& unit, int digits) {
-  return with_unit(fmt::format("{:.{}g}", value * unit.factor, digits), unit);
+  return with_unit(shown_digits_number(value, unit, digits), unit);
 }
 
 }  // namespace overbend

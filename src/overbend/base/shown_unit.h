@@ -47,6 +47,16 @@ inline ShownUnit shown_unit(std::string_view si) {
 
 /// Lengths of a cross-section, gaps: millimetres or inches.
 ShownUnit section_length();
+/// Weight of lines: N/m or lbf/ft.
+ShownUnit line_weight_unit();
+/// Stiffness of contacts: MN/m or kip/in.
+ShownUnit contact_stiffness_unit();
+/// Axial stiffness of mooring lines: MN or kip.
+ShownUnit axial_stiffness_unit();
+/// Moduli of steel: GPa or ksi.
+ShownUnit modulus_unit();
+/// Stiffness of the seabed, to be read per metre or foot of penetration: kN/m or lbf/ft.
+ShownUnit bed_stiffness_unit();
 /// Distances along a route: kilometres or feet.
 ShownUnit route_length();
 
@@ -70,6 +80,9 @@ std::string shown_digits(double value, const ShownUnit& unit, int digits);
 inline std::string shown_digits(double value, std::string_view si, int digits) {
   return shown_digits(value, shown_unit(si), digits);
 }
+
+/// The same without its unit: "89".
+std::string shown_digits_number(double value, const ShownUnit& unit, int digits);
 
 /// The name of the unit: "kN".
 inline std::string shown_name(std::string_view si) {

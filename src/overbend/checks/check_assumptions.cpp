@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/shown_unit.h"
 #include "model/description/description_words.h"
 
 namespace overbend {
@@ -29,9 +30,9 @@ void assume_sources(Assumptions& list, const CheckSettings& settings) {
 void assume_dnv(Assumptions& list, const CheckStations& all, const CheckSettings& settings) {
   list.push_back({AssumptionRank::setting,
                   fmt::format("Code checks: installation, safety class {}; condition factor {:.4g}; no corrosion "
-                              "allowance, fabrication tolerance of the wall {:.4g} mm, ovality {:.4g}.",
-                              word_of(settings.safety_class), settings.condition_factor, 1e3 * settings.wall_tolerance,
-                              settings.ovality)});
+                              "allowance, fabrication tolerance of the wall {}, ovality {:.4g}.",
+                              word_of(settings.safety_class), settings.condition_factor,
+                              shown_digits(settings.wall_tolerance, section_length(), 4), settings.ovality)});
   list.push_back(
       {AssumptionRank::governing,
        "Code checks: over the supports the pipe conforms to the stinger and is checked as displacement controlled; the "
@@ -81,9 +82,11 @@ void assume_material(Assumptions& list, const CheckStations& all, const CheckSet
     if (section.cable) continue;
     const std::string where = i == 0 ? "" : fmt::format(" of '{}'", section.name);
     if (!section.grade_of_smts.empty()) {
-      list.push_back({AssumptionRank::governing, fmt::format("Code checks: the tensile strength{} is not given; {:.0f} "
-                                                             "MPa of API 5L {} with this yield stress is used.",
-                                                             where, section.smts / 1e6, section.grade_of_smts)});
+      list.push_back(
+          {AssumptionRank::governing,
+           fmt::format(
+               "Code checks: the tensile strength{} is not given; {} of API 5L {} with this yield stress is used.",
+               where, shown(section.smts, "Pa", 0), section.grade_of_smts)});
     } else if (section.smts <= 0.0) {
       list.push_back(
           {AssumptionRank::governing, fmt::format("Code checks: the tensile strength{} is not given and no grade of "

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "checks/check_row.h"
 #include "checks/check_rows.h"
 #include "checks/mooring_rows.h"
@@ -160,8 +161,8 @@ void add_cable(std::vector<CheckRow>& rows, const Model& model, const StaticResu
   rows.back().p_W = load.p_W;
   const SafetyFactor factor = cable_safety_factor(model.description.checks.safety_factors);
   judge_ratio(rows.back(), load.tension, *breaking_load / factor.value);
-  rows.back().remark = fmt::format("breaking load of {:.1f} kN over a safety factor of {:.3g} ({})",
-                                   1e-3 * *breaking_load, factor.value, factor.source);
+  rows.back().remark = fmt::format("breaking load of {} over a safety factor of {:.3g} ({})",
+                                   shown(*breaking_load, "N", 1), factor.value, factor.source);
   rows.back().inputs = {{"T", "effective tension", load.tension, "N"},
                         {"MBL", "breaking load", *breaking_load, "N"},
                         {"n", "safety factor", factor.value, "1"}};

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "base/shown_unit.h"
 #include "checks/calculation_sheet.h"
 #include "checks/check_row.h"
 #include "checks/check_rows.h"
@@ -19,7 +20,7 @@ constexpr CheckTitle kStress = {
 std::string row_words(const CheckSection& section) {
   std::string row = fmt::format("limit of {}", section.laying->grade);
   if (section.laying_exact) return row;
-  return row + fmt::format(", the nearest lower grade of the table for {:.0f} MPa", section.smys / 1e6);
+  return row + fmt::format(", the nearest lower grade of the table for {}", shown(section.smys, "Pa", 0));
 }
 
 /// A strain over the supports against a limit of the section's grade.

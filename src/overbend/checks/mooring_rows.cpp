@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/shown_unit.h"
 #include "checks/check_row.h"
 
 namespace overbend {
@@ -31,7 +32,7 @@ CheckRow row_with(const CheckTitle& title, const Load& load, const SafetyFactor&
   CheckRow row = row_of(title, CheckRegion::line);
   const double strength = load.tension / load.use;
   judge_ratio(row, load.tension, strength / factor.value);
-  row.remark = fmt::format("{}: {:.1f} kN over a safety factor of {:.3g} ({})", load.where, 1e-3 * strength,
+  row.remark = fmt::format("{}: {} over a safety factor of {:.3g} ({})", load.where, shown(strength, "N", 1),
                            factor.value, factor.source);
   row.inputs = {{"T", "tension", load.tension, "N"},
                 {"R", "breaking load or holding power", strength, "N"},

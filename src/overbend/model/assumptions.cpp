@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/constants.h"
+#include "base/shown_unit.h"
 #include "model/description/operation_words.h"
 #include "model/dynamic_assumptions.h"
 #include "model/lay_stage.h"
@@ -53,11 +54,12 @@ void assume_pipe(Assumptions& list, const Model& model) {
   if (pipe.contents_weight_density == 0.0 && pipe.internal_pressure == 0.0) {
     list.push_back({AssumptionRank::setting, "The pipe is empty, at atmospheric pressure."});
   }
-  list.push_back({AssumptionRank::setting,
-                  fmt::format("The weight density of water is {:.4g} kN/m3; external pressure is hydrostatic from the "
-                              "mean water level and acts on the outside of the steel: the coating is under pressure on "
-                              "all sides and carries no axial force.",
-                              1e-3 * model.water_weight_density)});
+  list.push_back(
+      {AssumptionRank::setting,
+       fmt::format(
+           "The weight density of water is {}; external pressure is hydrostatic from the mean water level and acts on "
+           "the outside of the steel: the coating is under pressure on all sides and carries no axial force.",
+           shown_digits(model.water_weight_density, "N/m3", 4))});
 }
 
 const char* bed_words(const Model& model) {
@@ -77,9 +79,11 @@ const char* bed_words(const Model& model) {
 void assume_vessel(Assumptions& list, const Model& model) {
   const VesselDescription& vessel = model.description.vessel;
   if (model.description.has_pipe) {
-    list.push_back({AssumptionRank::setting, fmt::format("The stern shoe, origin of ramp and stinger, is at x = {:.3f} "
-                                                         "m from midship and {:.3f} m above the mean water level.",
-                                                         vessel.stern_shoe_x, vessel.stern_shoe_z)});
+    list.push_back(
+        {AssumptionRank::setting,
+         fmt::format(
+             "The stern shoe, origin of ramp and stinger, is at x = {} from midship and {} above the mean water level.",
+             shown(vessel.stern_shoe_x, "m", 3), shown(vessel.stern_shoe_z, "m", 3))});
   }
   if (vessel.trim == 0.0 && vessel.heel == 0.0) {
     list.push_back({AssumptionRank::setting, "The vessel floats on even keel, without static trim or heel."});
@@ -88,9 +92,10 @@ void assume_vessel(Assumptions& list, const Model& model) {
                                                          "deg (starboard down) about midship at the water line.",
                                                          degrees(vessel.trim), degrees(vessel.heel))});
   }
-  list.push_back({AssumptionRank::setting,
-                  fmt::format("Water depth {:.2f} m applies at {}{}.", model.description.environment.water_depth,
-                              model.description.has_pipe ? "the stern shoe" : "the vessel", bed_words(model))});
+  list.push_back(
+      {AssumptionRank::setting,
+       fmt::format("Water depth {} applies at {}{}.", shown(model.description.environment.water_depth, "m", 2),
+                   model.description.has_pipe ? "the stern shoe" : "the vessel", bed_words(model))});
 }
 
 void assume_motion(Assumptions& list, const Model& model) {
@@ -98,14 +103,14 @@ void assume_motion(Assumptions& list, const Model& model) {
   if (!vessel.raos) return;
   const Vec3& p = vessel.raos->reference_V;
   list.push_back({AssumptionRank::governing,
-                  fmt::format("The vessel moves by linear RAOs ({}) of the point {:.3f} m forward of midship, {:.3f} m "
-                              "to port and {:.3f} m above the water; the pipe does not act back on it.",
-                              vessel.raos->source, p.x(), p.y(), p.z())});
+                  fmt::format("The vessel moves by linear RAOs ({}) of the point {} forward of midship, {} to port and "
+                              "{} above the water; the pipe does not act back on it.",
+                              vessel.raos->source, shown(p.x(), "m", 3), shown(p.y(), "m", 3), shown(p.z(), "m", 3))});
   list.insert(list.end(), vessel.raos->assumptions.begin(), vessel.raos->assumptions.end());
 }
 
 std::string part_words(double stiffness) {
-  return stiffness > 0.0 ? fmt::format("{:.3g} MN/m", 1e-6 * stiffness) : std::string("rigid");
+  return stiffness > 0.0 ? shown_digits(stiffness, contact_stiffness_unit(), 3) : std::string("rigid");
 }
 
 /// One sentence for every stiffness that the program chose.
@@ -121,13 +126,13 @@ void assume_contact_stiffness(Assumptions& list, const Model& model) {
     }
     told.push_back(roller.stiffness);
     const ContactStiffness parts = model.contact_parts(roller);
-    list.push_back(
-        {AssumptionRank::governing,
-         fmt::format("Contact of '{}' with a roller of {:.3g} m face and no given stiffness: {:.3g} MN/m, from pipe "
-                     "shell {} (Morley's equation, load on a line across the pipe), coating {} and roller structure {} "
-                     "in series. Impact forces are roughly proportional to its cube root.",
-                     model.section_over(roller).name, roller.face, 1e-6 * parts.total(), part_words(parts.shell),
-                     part_words(parts.coating), part_words(parts.structure))});
+    list.push_back({AssumptionRank::governing,
+                    fmt::format("Contact of '{}' with a roller of {} face and no given stiffness: {}, from pipe shell "
+                                "{} (Morley's equation, load on a line across the pipe), coating {} and roller "
+                                "structure {} in series. Impact forces are roughly proportional to its cube root.",
+                                model.section_over(roller).name, shown_digits(roller.face, "m", 3),
+                                shown_digits(parts.total(), contact_stiffness_unit(), 3), part_words(parts.shell),
+                                part_words(parts.coating), part_words(parts.structure))});
   }
   if (penalty) {
     list.push_back({AssumptionRank::other,
@@ -190,18 +195,19 @@ void assume_supports(Assumptions& list, const Model& model) {
 }
 
 void assume_seabed(Assumptions& list, const Model& model) {
-  list.push_back(
-      {AssumptionRank::setting,
-       fmt::format("The seabed stiffness is {:.4g} kN/m per metre of pipe and penetration, without adhesion.",
-                   1e-3 * model.seabed.stiffness)});
+  list.push_back({AssumptionRank::setting,
+                  fmt::format("The seabed stiffness is {} per {} of pipe and penetration, without adhesion.",
+                              shown_digits(model.seabed.stiffness, bed_stiffness_unit(), 4),
+                              units_in_use() == UnitSystem::us ? "foot" : "metre")});
   if (model.description.environment.seabed.soil != SoilModel::linear) {
     list.push_back(
-        {AssumptionRank::other, fmt::format("The soil softens {} {:.4g} kN/m (environment.seabed.soil) and follows one "
-                                            "curve down and up: no trench, no suction.",
-                                            model.description.environment.seabed.soil == SoilModel::hyperbolic
-                                                ? "along a hyperbola towards"
-                                                : "to a tenth of its stiffness at",
-                                            1e-3 * model.description.environment.seabed.bearing_force.value_or(0.0))});
+        {AssumptionRank::other,
+         fmt::format("The soil softens {} {} (environment.seabed.soil) and follows one curve down and up: no trench, "
+                     "no suction.",
+                     model.description.environment.seabed.soil == SoilModel::hyperbolic
+                         ? "along a hyperbola towards"
+                         : "to a tenth of its stiffness at",
+                     shown_digits(model.description.environment.seabed.bearing_force.value_or(0.0), "N/m", 4))});
   }
   list.push_back({AssumptionRank::governing,
                   "The laid pipe rests under the lay tension: axial friction is not mobilised in statics."});
@@ -226,9 +232,8 @@ void assume_seabed(Assumptions& list, const Model& model) {
 void assume_tensioner(Assumptions& list, const Model& model) {
   const TensionerDescription& tensioner = model.description.tensioner;
   if (tensioner.tension) {
-    list.push_back(
-        {AssumptionRank::setting, fmt::format("The tension of {:.4g} kN is the effective tension at the tensioner.",
-                                              1e-3 * *tensioner.tension)});
+    list.push_back({AssumptionRank::setting, fmt::format("The tension of {} is the effective tension at the tensioner.",
+                                                         shown_digits(*tensioner.tension, "N", 4))});
   }
   if (tensioner.guide == Guide::clamped) {
     list.push_back({AssumptionRank::setting,

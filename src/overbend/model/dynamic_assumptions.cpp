@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/shown_unit.h"
 #include "model/site/sea_statistics.h"
 #include "model/step_scales.h"
 #include "model/waves/wave_theory.h"
@@ -76,8 +77,8 @@ void assume_waves(Assumptions& list, const Model& model, const DynamicSettings& 
         {AssumptionRank::other, "The kinematics of linear waves are extended to the surface by Wheeler stretching."});
   }
   list.push_back({AssumptionRank::other, fmt::format("The waves are those of a constant water depth, that at the stern "
-                                                     "shoe, {:.2f} m; pipe and vessel do not disturb them.",
-                                                     model.description.environment.water_depth)});
+                                                     "shoe, {}; pipe and vessel do not disturb them.",
+                                                     shown(model.description.environment.water_depth, "m", 2))});
 }
 
 void assume_vessel_motion(Assumptions& list, const VesselDescription& vessel) {
@@ -149,10 +150,10 @@ void assume_rollers(Assumptions& list, const Model& model, const DynamicSettings
          "histories, percentiles and extremes over hours of reactions, are those at the ends of steps, without these "
          "peaks. For screening: 'overbend compare --of impacts' tells the difference."});
   }
-  list.push_back(
-      {AssumptionRank::setting, fmt::format("Impacts weaker than {:.4g} kN are neither {} nor recorded.",
-                                            1e-3 * settings.impact_force.value_or(step_scales(model).force),
-                                            settings.impacts == ImpactTreatment::captured ? "counted" : "resolved")});
+  list.push_back({AssumptionRank::setting,
+                  fmt::format("Impacts weaker than {} are neither {} nor recorded.",
+                              shown_digits(settings.impact_force.value_or(step_scales(model).force), "N", 4),
+                              settings.impacts == ImpactTreatment::captured ? "counted" : "resolved")});
   list.push_back({AssumptionRank::other,
                   "Dents follow from the relation of DNV-RP-F107 for bare steel, which neglects the effects of "
                   "coatings, pressure, tension and bending."});
@@ -160,13 +161,14 @@ void assume_rollers(Assumptions& list, const Model& model, const DynamicSettings
 
 std::string machine_words(const TensionerDescription& t) {
   std::string words = fmt::format(
-      "The tensioner waits {:.4g} s when the tension has left its range of {:.4g} to {:.4g} kN, then moves at up to "
-      "{:.4g} m/s until the set tension is restored",
-      t.delay, 1e-3 * t.range_low.value_or(0.0), 1e-3 * t.range_high.value_or(0.0), t.velocity);
+      "The tensioner waits {:.4g} s when the tension has left its range of {} to {}, then moves at up to {} until the "
+      "set tension is restored",
+      t.delay, shown_digits_number(t.range_low.value_or(0.0), shown_unit("N"), 4),
+      shown_digits(t.range_high.value_or(0.0), "N", 4), shown_digits(t.velocity, "m/s", 4));
   words += t.acceleration
-               ? fmt::format("; it accelerates and brakes at {:.4g} m/s2", *t.acceleration)
+               ? fmt::format("; it accelerates and brakes at {}", shown_digits(*t.acceleration, "m/s2", 4))
                : std::string("; no acceleration is given: it reaches that speed in 0.5 s and brakes likewise");
-  words += t.travel ? fmt::format("; its travel is limited to {:.4g} m either way.", *t.travel)
+  words += t.travel ? fmt::format("; its travel is limited to {} either way.", shown_digits(*t.travel, "m", 4))
                     : std::string("; its travel is not limited.");
   return words;
 }
@@ -227,6 +229,7 @@ void assume_steel(Assumptions& list, const Model& model) {
 }
 
 void assume_laid_pipe(Assumptions& list, const Model& model) {
+  constexpr double kLongestLaid = 3000.0;  // [m], kLongestTail of dynamics/laid_tail.h
   if (model.description.pipe.length) return;
   if (model.seabed.surface.shape() != nullptr) {
     list.push_back({AssumptionRank::other, "On an uneven seabed the laid pipe is held at the end of the static line."});
@@ -235,8 +238,9 @@ void assume_laid_pipe(Assumptions& list, const Model& model) {
   list.push_back(
       {AssumptionRank::other,
        model.seabed.friction_axial > 0.0
-           ? "The laid pipe is extended behind the static line by the length over which axial friction balances the "
-             "tension at the tensioner, 3 km at most."
+           ? fmt::format("The laid pipe is extended behind the static line by the length over which axial friction "
+                         "balances the tension at the tensioner, {} at most.",
+                         shown_digits(kLongestLaid, route_length(), 4))
            : "The seabed has no axial friction: the laid pipe is held at the end of the static line, and changes of "
              "tension depend on that length (give environment.seabed.friction to have it determined)."});
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/shown_unit.h"
+
 namespace overbend {
 namespace {
 
@@ -30,18 +32,18 @@ std::string fit_words(const Section& section) {
 
 std::string material_words(const SteelDescription& steel) {
   const MaterialDescription& material = steel.material;
-  const double yield = 1e-6 * steel.yield_stress;
+  const std::string yield = shown_digits(steel.yield_stress, "Pa", 4);
   switch (material.law) {
     case MaterialLaw::linear:
       return "linear elastic";
     case MaterialLaw::moment_ramberg_osgood:
       return moment_form(steel);
     case MaterialLaw::ramberg_osgood:
-      return fmt::format("Ramberg-Osgood, n = {:.4g}, total strain {:.4g} % at {:.4g} MPa",
+      return fmt::format("Ramberg-Osgood, n = {:.4g}, total strain {:.4g} % at {}",
                          material.hardening_exponent.value_or(0.0), 100.0 * material.yield_strain, yield);
     case MaterialLaw::bilinear:
-      return fmt::format("bilinear, yield at {:.4g} MPa, slope {:.4g} GPa beyond yield", yield,
-                         1e-9 * material.hardening_modulus);
+      return fmt::format("bilinear, yield at {}, slope {} beyond yield", yield,
+                         shown_digits(material.hardening_modulus, modulus_unit(), 4));
     case MaterialLaw::stress_strain:
       return fmt::format("stress-strain curve of {} points", material.stress_strain.size());
     case MaterialLaw::moment_curvature:

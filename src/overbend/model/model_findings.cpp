@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/shown_unit.h"
 #include "model/vessel/rao_limits.h"
 
 namespace overbend {
@@ -47,12 +48,13 @@ void warn_of_breaking_lines(Findings& findings, const MooringsDescription& moori
   for (const MooringLineDescription& line : moorings.lines) {
     for (const LineSegmentDescription& segment : line.segments) {
       if (!line.tension || !segment.type.breaking_load || *line.tension <= *segment.type.breaking_load) continue;
-      findings.push_back(Finding{
-          FindingCode::breaking_load_exceeded,
-          fmt::format("the tension of mooring line '{}', {:.4g} kN, is more than its breaking load, {:.4g} kN of {}",
-                      line.name, 1e-3 * *line.tension, 1e-3 * *segment.type.breaking_load, segment.type.made_from)}
-                             .on("mooring line " + line.name)
-                             .with("tension", *line.tension, "N"));
+      findings.push_back(
+          Finding{FindingCode::breaking_load_exceeded,
+                  fmt::format("the tension of mooring line '{}', {}, is more than its breaking load, {} of {}",
+                              line.name, shown_digits(*line.tension, "N", 4),
+                              shown_digits(*segment.type.breaking_load, "N", 4), segment.type.made_from)}
+              .on("mooring line " + line.name)
+              .with("tension", *line.tension, "N"));
       break;
     }
   }
@@ -70,17 +72,16 @@ Findings model_findings(const Model& model) {
   }
   if (d.moorings) warn_of_breaking_lines(findings, *d.moorings);
   if (d.dynamics && d.environment.waves.type == WaveType::none && !vessel_moves(d.vessel) && !gear_moves(d)) {
-    findings.push_back(
-        {FindingCode::nothing_moves,
-         "nothing moves in the dynamic analysis: the water is calm (environment.waves) and the vessel does not move "
-         "(vessel.motion)"});
+    findings.push_back({FindingCode::nothing_moves,
+                        "nothing moves in the dynamic analysis: the water is calm (environment.waves) and the vessel "
+                        "does not move (vessel.motion)"});
   }
   if (d.dynamics && d.has_pipe && d.tensioner.mode_assumed) {
-    findings.push_back(Finding{FindingCode::tensioner_mode_assumed,
-                               "tensioner.mode is not given: in the dynamic analysis the tensioner keeps the set "
-                               "tension, an ideal machine without limits of speed and travel; give its range and "
-                               "velocity, or mode: constant or locked"}
-                           .on("tensioner"));
+    findings.push_back(
+        Finding{FindingCode::tensioner_mode_assumed,
+                "tensioner.mode is not given: in the dynamic analysis the tensioner keeps the set tension, an ideal "
+                "machine without limits of speed and travel; give its range and velocity, or mode: constant or locked"}
+            .on("tensioner"));
   }
   return findings;
 }

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "base/shown_unit.h"
+#include "model/pipe/line_types.h"
+
 namespace overbend {
 namespace {
 
@@ -29,30 +32,36 @@ Assumption current_assumption(const HullCurrentDescription& current) {
                   current.transverse, current.longitudinal)};
 }
 
+/// A length without its unit.
+std::string length_number(double length) {
+  return shown_digits_number(length, shown_unit("m"), 4);
+}
+
 void assume_coupled(Assumptions& list, const Model& model) {
   const CoupledHullDescription& hull = *model.description.vessel.coupled;
   list.push_back(
       {AssumptionRank::setting,
-       fmt::format("The hull is a rigid body of {:.6g} t with radii of gyration of {:.4g}, {:.4g} and {:.4g} m, "
-                   "without products of inertia; forces of the water are linear, from {}.",
-                   1e-3 * hull.mass, hull.gyration.x(), hull.gyration.y(), hull.gyration.z(), hull.hydrodynamics)});
+       fmt::format("The hull is a rigid body of {} with radii of gyration of {}, {} and {}, without "
+                   "products of inertia; forces of the water are linear, from {}.",
+                   shown_digits(hull.mass, "kg", 6), length_number(hull.gyration.x()), length_number(hull.gyration.y()),
+                   shown_digits(hull.gyration.z(), "m", 4), hull.hydrodynamics)});
   list.push_back({AssumptionRank::other,
                   hull.ballast == Ballast::trim
                       ? "Ballast: constant forces keep draught, heel and trim as given with lines and pipe attached."
                       : "Ballast: the mass is as given, and the hull sinks under the pull of lines and pipe."});
   if (hull.data && hull.data->file_origin_V) {
     const Vec3& p = *hull.data->file_origin_V;
-    list.push_back(
-        {AssumptionRank::other, fmt::format("The hydrodynamic coefficients are moved from ({:.4g}, {:.4g}, {:.4g}) m, "
-                                            "which the file's values are about, to the centre of gravity.",
-                                            p.x(), p.y(), p.z())});
+    list.push_back({AssumptionRank::other,
+                    fmt::format("The hydrodynamic coefficients are moved from ({}, {}, {}) {}, "
+                                "which the file's values are about, to the centre of gravity.",
+                                length_number(p.x()), length_number(p.y()), length_number(p.z()), shown_name("m"))});
   }
   if (!model.current.z.empty()) list.push_back(current_assumption(hull.current));
   if (hull.wind.speed <= 0.0) {
     list.push_back({AssumptionRank::other, "There is no wind."});
   } else {
     list.push_back({AssumptionRank::other,
-                    fmt::format("A steady wind of {:.3g} m/s acts on the hull by {}.", hull.wind.speed,
+                    fmt::format("A steady wind of {} acts on the hull by {}.", shown_digits(hull.wind.speed, "m/s", 3),
                                 hull.wind.table_file.empty() ? std::string("areas with shape and height coefficients")
                                                              : "the table of coefficients " + hull.wind.table_file)});
   }
@@ -71,15 +80,15 @@ void assume_coupled(Assumptions& list, const Model& model) {
 void assume_types(Assumptions& list, const std::vector<LineSegmentDescription>& segments, std::set<std::string>& told) {
   for (const LineSegmentDescription& segment : segments) {
     const LineTypeDescription& type = segment.type;
-    if (type.made_from.find("mm") == std::string::npos || !told.insert(type.made_from).second) continue;
+    if (type.made_from.empty() || type.made_from == kGivenNumbers || !told.insert(type.made_from).second) continue;
     list.push_back(
         {AssumptionRank::other,
          fmt::format(
-             "Line type '{}' is a {}: {:.2f} kg/m, EA {:.1f} MN{}, from fits to makers' tables; drag {:.3g} on {:.4g} "
-             "mm.",
-             type.name, type.made_from, type.weight_in_air / kGravity, 1e-6 * type.axial_stiffness,
-             type.breaking_load ? fmt::format(", breaking load {:.0f} kN", 1e-3 * *type.breaking_load) : std::string(),
-             type.drag_normal, 1e3 * type.drag_diameter)});
+             "Line type '{}' is a {}: {}, EA {}{}, from fits to makers' tables; drag {:.3g} on {}.", type.name,
+             type.made_from, shown(type.weight_in_air / kGravity, "kg/m", 2),
+             shown(type.axial_stiffness, axial_stiffness_unit(), 1),
+             type.breaking_load ? fmt::format(", breaking load {}", shown(*type.breaking_load, "N", 0)) : std::string(),
+             type.drag_normal, shown_digits(type.drag_diameter, section_length(), 4))});
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/dense_algebra.h"
 #include "base/interruption.h"
+#include "base/shown_unit.h"
 
 namespace overbend {
 namespace {
@@ -119,7 +120,8 @@ MooringFault set_lengths(MooringSpread& spread, const HullPlace& place, const Ei
     const CatenarySolution solution = set_length_for_pull(line.line, line_site(spread, line, fairlead),
                                                           line_direction(line, fairlead).distance, pull);
     if (solution.fault != CatenaryFault::none) {
-      return fmt::format("mooring line \"{}\": no length gives a horizontal pull of {:.1f} kN", line.name, pull / 1e3);
+      return fmt::format("mooring line \"{}\": no length gives a horizontal pull of {}", line.name,
+                         shown(pull, "N", 1));
     }
   }
   return std::nullopt;

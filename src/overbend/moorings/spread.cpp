@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "model/pipe/section.h"
 
 namespace overbend {
@@ -62,9 +63,8 @@ MooringFault set_drawn_length(const MooringSpread& spread, MooredLine& line, dou
   const CatenarySolution solution = set_length_for_tension(line.line, site, distance, tension);
   if (solution.fault == CatenaryFault::none) return std::nullopt;
   if (solution.fault == CatenaryFault::below_bed) return line_fault(spread, line, fairlead, solution.fault);
-  return fmt::format(
-      "mooring line \"{}\": no length of its first segment gives a tension of {:.1f} kN with the anchor at {:.1f} m",
-      line.name, tension / 1e3, distance);
+  return fmt::format("mooring line \"{}\": no length of its first segment gives a tension of {} with the anchor at {}",
+                     line.name, shown(tension, "N", 1), shown(distance, "m", 1));
 }
 
 Mat3 even_bed_stiffness(const CatenarySolution& solution, const LineDirection& to) {
@@ -157,11 +157,12 @@ std::string line_fault(const MooringSpread& spread, const MooredLine& line, cons
   const double chord = (line.anchor_W - fairlead_W).norm();
   switch (fault) {
     case CatenaryFault::too_short:
-      return fmt::format("mooring line \"{}\" is too short to reach: {:.2f} m of line for {:.2f} m to its anchor",
-                         line.name, line.line.length(), chord);
+      return fmt::format("mooring line \"{}\" is too short to reach: {} of line for {} to its anchor", line.name,
+                         shown(line.line.length(), "m", 2), shown(chord, "m", 2));
     case CatenaryFault::below_bed:
-      return fmt::format("mooring line \"{}\": its fairlead at z = {:.2f} m lies below the sea bed at {:.2f} m",
-                         line.name, fairlead_W.z(), spread.bed.height(fairlead_W.x(), fairlead_W.y()));
+      return fmt::format("mooring line \"{}\": its fairlead at z = {} lies below the sea bed at {}", line.name,
+                         shown(fairlead_W.z(), "m", 2),
+                         shown(spread.bed.height(fairlead_W.x(), fairlead_W.y()), "m", 2));
     case CatenaryFault::no_shape:
     case CatenaryFault::none:
       break;
@@ -170,8 +171,8 @@ std::string line_fault(const MooringSpread& spread, const MooredLine& line, cons
   if (std::any_of(line.line.pieces.begin(), line.line.pieces.end(), floats)) {
     return fmt::format("mooring line \"{}\" would float on the water surface, which is not computed", line.name);
   }
-  return fmt::format("mooring line \"{}\": no shape at rest was found between fairlead and anchor {:.2f} m apart",
-                     line.name, chord);
+  return fmt::format("mooring line \"{}\": no shape at rest was found between fairlead and anchor {} apart", line.name,
+                     shown(chord, "m", 2));
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/shown_unit.h"
 #include "statics/recovery/static_findings.h"
 
 namespace overbend {
@@ -12,16 +13,16 @@ namespace overbend {
 void warn_of_slack(const StaticResults& statics, DynamicResults& results) {
   const DynamicExtreme& least = results.smallest_tension;
   if (least.over_time.min >= 0.0) return;
-  results.findings.push_back(Finding{
-      FindingCode::compression,
-      fmt::format("compression: the effective tension falls to {:.2f} kN at t = {:.1f} s, {}{}; a pipe in compression "
-                  "may buckle, which the model represents only as far as its mesh allows",
-                  1e-3 * least.over_time.min, least.time, pipe_place(statics, least.s),
-                  results.top_tension.min < 0.0 ? ", and below zero at the tensioner" : "")}
-                                 .on("pipe")
-                                 .at_place(statics.total_length - least.s)
-                                 .at_time(least.time)
-                                 .with("effective_tension", least.over_time.min, "N"));
+  results.findings.push_back(
+      Finding{FindingCode::compression,
+              fmt::format("compression: the effective tension falls to {} at t = {:.1f} s, {}{}; a pipe in compression "
+                          "may buckle, which the model represents only as far as its mesh allows",
+                          shown(least.over_time.min, "N", 2), least.time, pipe_place(statics, least.s),
+                          results.top_tension.min < 0.0 ? ", and below zero at the tensioner" : "")}
+          .on("pipe")
+          .at_place(statics.total_length - least.s)
+          .at_time(least.time)
+          .with("effective_tension", least.over_time.min, "N"));
 }
 
 void warn_of_yield(const StaticResults& statics, const YieldingPlace& worst, DynamicResults& results) {
@@ -32,17 +33,16 @@ void warn_of_yield(const StaticResults& statics, const YieldingPlace& worst, Dyn
       time = fmt::format(" at t = {:.1f} s,", extreme.time);
     }
   }
-  results.findings.push_back(Finding{
-      FindingCode::yield_with_linear_steel,
-      fmt::format(
-          "the von Mises stress of {:.0f} MPa{} {} exceeds the yield stress of {:.0f} MPa in the dynamic analysis; the "
-          "steel is linear elastic here, so stresses and moments beyond yield are those of a pipe that does not yield "
-          "(see "
-          "pipe.steel.material)",
-          1e-6 * worst.von_mises, time, pipe_place(statics, worst.s), 1e-6 * worst.yield_stress)}
-                                 .on("pipe")
-                                 .at_place(statics.total_length - worst.s)
-                                 .with("von_mises", worst.von_mises, "Pa"));
+  results.findings.push_back(
+      Finding{FindingCode::yield_with_linear_steel,
+              fmt::format("the von Mises stress of {}{} {} exceeds the yield stress of {} in the dynamic analysis; the "
+                          "steel is linear elastic here, so stresses and moments beyond yield are those of a pipe that "
+                          "does not yield (see pipe.steel.material)",
+                          shown(worst.von_mises, "Pa", 0), time, pipe_place(statics, worst.s),
+                          shown(worst.yield_stress, "Pa", 0))}
+          .on("pipe")
+          .at_place(statics.total_length - worst.s)
+          .with("von_mises", worst.von_mises, "Pa"));
 }
 
 void warn_of_left_boxes(DynamicResults& results) {
@@ -62,15 +62,14 @@ void warn_of_left_boxes(DynamicResults& results) {
                                      .on(first->name)
                                      .at_time(*(first->*left)));
     } else if (count > 1) {
-      results.findings.push_back(Finding{
-          FindingCode::pipe_off_rollers,
-          fmt::format(
-              "the pipe left '{}' and {} more box{} over their sides to {}, the first at t = {:.1f} s, the last "
-              "at t = {:.1f} s",
-              first->name, count - 1, count > 2 ? "es" : "", side, *(first->*left), *(last->*left))}
-                                     .on(first->name)
-                                     .at_time(*(first->*left))
-                                     .with("boxes", count, "1"));
+      results.findings.push_back(
+          Finding{FindingCode::pipe_off_rollers,
+                  fmt::format("the pipe left '{}' and {} more box{} over their sides to {}, the first at t = {:.1f} s, "
+                              "the last at t = {:.1f} s",
+                              first->name, count - 1, count > 2 ? "es" : "", side, *(first->*left), *(last->*left))}
+              .on(first->name)
+              .at_time(*(first->*left))
+              .with("boxes", count, "1"));
     }
   };
   warn(&SupportDynamics::left_to_port, "port");
@@ -80,10 +79,9 @@ void warn_of_left_boxes(DynamicResults& results) {
 void warn_of_departure(const StaticResults& statics, double distance, double s, double time, DynamicResults& results) {
   results.findings.push_back(Finding{
       FindingCode::run_not_at_rest,
-      fmt::format(
-          "the run does not begin at rest: by t = {:.1f} s, with hardly any sea or motion yet, the pipe has moved by "
-          "{:.2f} m {}; its static state is no stable equilibrium, and the run is of another lay",
-          time, distance, pipe_place(statics, s))}
+      fmt::format("the run does not begin at rest: by t = {:.1f} s, with hardly any sea or motion yet, the pipe has "
+                  "moved by {} {}; its static state is no stable equilibrium, and the run is of another lay",
+                  time, shown(distance, "m", 2), pipe_place(statics, s))}
                                  .on("pipe")
                                  .at_place(statics.total_length - s)
                                  .at_time(time)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/shown_unit.h"
 #include "mechanics/contact_damage.h"
 #include "recording/dynamic_findings.h"
 #include "recording/dynamic_recorder.h"
@@ -131,25 +132,24 @@ void DynamicRecorder::fill_tensioner_findings(DynamicResults& results) const {
   const TensionerDescription& machine = model_->description.tensioner;
   const double way = std::max(t.travel.max, -t.travel.min);
   if (machine.mode == TensionerMode::constant && machine.travel && way > *machine.travel && move_ == nullptr) {
-    results.findings.push_back(
-        Finding{FindingCode::tensioner_at_travel_limit,
-                fmt::format("the ideal tensioner of constant tension travels up to {:.2f} m from the start, more than "
-                            "tensioner.travel, {:.2f} m, which does not stop it: a machine would have reached its "
-                            "limit, and the tension would not be constant",
-                            way, *machine.travel)}
-            .on("tensioner")
-            .with("travel", way, "m"));
+    results.findings.push_back(Finding{
+        FindingCode::tensioner_at_travel_limit,
+        fmt::format(
+            "the ideal tensioner of constant tension travels up to {} from the start, more than tensioner.travel, {}, "
+            "which does not stop it: a machine would have reached its limit, and the tension would not be constant",
+            shown(way, "m", 2), shown(*machine.travel, "m", 2))}
+                                   .on("tensioner")
+                                   .with("travel", way, "m"));
   }
   if (!model_->supports.boxes.empty() && model_->supports.boxes.front().structure == Structure::ramp) {
     const double free = model_->supports.boxes.front().point_S.x() - model_->description.tensioner.x;
     if (t.travel.max > free && move_ == nullptr) {
-      results.findings.push_back(
-          Finding{FindingCode::pipe_end_past_first_box,
-                  fmt::format("the tensioner paid out {:.2f} m, more than the {:.2f} m to the first box: the end of "
-                              "the pipe, which moves with the travel, passed it",
-                              t.travel.max, free)}
-              .on("tensioner")
-              .with("travel", t.travel.max, "m"));
+      results.findings.push_back(Finding{FindingCode::pipe_end_past_first_box,
+                                         fmt::format("the tensioner paid out {}, more than the {} to the first box: "
+                                                     "the end of the pipe, which moves with the travel, passed it",
+                                                     shown(t.travel.max, "m", 2), shown(free, "m", 2))}
+                                     .on("tensioner")
+                                     .with("travel", t.travel.max, "m"));
     }
   }
 }
@@ -177,13 +177,14 @@ void DynamicRecorder::fill_findings(DynamicResults& results) const {
 /// Impact forces hang on a stiffness that is known to a factor: says how much.
 void DynamicRecorder::fill_assumptions(DynamicResults& results) const {
   if (hardest_.empty()) return;
-  const double force = 1e-3 * hardest_.front().peak_force;
-  const double stiffness = 1e-6 * (*body_rollers_)[static_cast<std::size_t>(hardest_.front().roller)].law.stiffness;
+  const double force = hardest_.front().peak_force;
+  const double stiffness = (*body_rollers_)[static_cast<std::size_t>(hardest_.front().roller)].law.stiffness;
   results.assumptions.push_back(
-      {AssumptionRank::governing, fmt::format("The hardest impact, {:.1f} kN, was on a contact of {:.3g} MN/m; with "
-                                              "half that stiffness it would be {:.1f} kN, with twice {:.1f} kN (the "
-                                              "force is proportional to its cube root at the same approach velocity).",
-                                              force, stiffness, force * std::cbrt(0.5), force * std::cbrt(2.0))});
+      {AssumptionRank::governing,
+       fmt::format("The hardest impact, {}, was on a contact of {}; with half that stiffness it would be {}, with "
+                   "twice {} (the force is proportional to its cube root at the same approach velocity).",
+                   shown(force, "N", 1), shown_digits(stiffness, contact_stiffness_unit(), 3),
+                   shown(force * std::cbrt(0.5), "N", 1), shown(force * std::cbrt(2.0), "N", 1))});
 }
 
 /// What slamming, which the equations leave out, would have been at the fastest entry.
@@ -193,11 +194,10 @@ void DynamicRecorder::fill_slamming(DynamicResults& results) const {
   const Section& pipe = model_->sections[static_cast<std::size_t>(model_->section_at(from_top))];
   const double force = slamming_force(model_->water_density, pipe.outer_diameter, crossing_.speed());
   const std::string size = fmt::format(
-      "the fastest entry into the water, {:.2f} m/s across the pipe {:.1f} m from the tensioner at t = {:.1f} s, would "
-      "give a slamming load of {:.2f} kN/m at first contact (rho/2 C_s D v^2, C_s = 5.15 of DNV-RP-C205; {:.2f} kN/m "
-      "at 1 m/s)",
-      crossing_.speed(), from_top, crossing_.time(), 1e-3 * force,
-      1e-3 * slamming_force(model_->water_density, pipe.outer_diameter, 1.0));
+      "the fastest entry into the water, {} across the pipe {} from the tensioner at t = {:.1f} s, would give a "
+      "slamming load of {} at first contact (rho/2 C_s D v^2, C_s = 5.15 of DNV-RP-C205; {} at {})",
+      shown(crossing_.speed(), "m/s", 2), shown(from_top, "m", 1), crossing_.time(), shown(force, "N/m", 2),
+      shown(slamming_force(model_->water_density, pipe.outer_diameter, 1.0), "N/m", 2), shown_digits(1.0, "m/s", 3));
   results.assumptions.push_back(
       {AssumptionRank::other,
        "Slamming and the rate of change of added mass at the surface are neglected; " + size + "."});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/shown_unit.h"
 #include "checks/fatigue_place.h"
 
 namespace overbend {
@@ -72,20 +73,23 @@ void assume_of_fatigue(const Model& model, DynamicResults& results) {
   say(AssumptionRank::governing,
       fmt::format(
           "Fatigue: the sea of the run lasts all the time that a weld is on its way; its build-up is not counted. A "
-          "weld rests {:.4g} s at stops {:.4g} m apart and moves for {:.4g} s between them; its damage is that of the "
-          "worst places of the stops along the line (the mean over all places is at least {:.2f} of it).",
-          pace.weld_time, pace.joint, pace.move_time, least));
+          "weld rests {:.4g} s at stops {} apart and moves for {:.4g} s between them; its damage is that of the worst "
+          "places of the stops along the line (the mean over all places is at least {:.2f} of it).",
+          pace.weld_time, shown_digits(pace.joint, "m", 4), pace.move_time, least));
   say(AssumptionRank::other,
       fmt::format("Fatigue: rainflow cycles (ASTM E1049) of the longitudinal stress at eight points round the section, "
-                  "ranges below {:.2g} MPa left out, with S-N curves of {}; stations keep their place on the pipe in "
-                  "the run, and the pipe does not turn about its axis. Residual and mean stresses do not count.",
-                  0.1, fatigue_code(model.description.fatigue->edition)));
+                  "ranges below {} left out, with S-N curves of {}; stations keep their place on the pipe in the run, "
+                  "and the pipe does not turn about its axis. Residual and mean stresses do not count.",
+                  shown_digits(0.1e6, "Pa", 2), fatigue_code(model.description.fatigue->edition)));
   if (uses_renewed_curve(*model.description.fatigue)) {
     say(AssumptionRank::other,
-        "Fatigue: editions of DNV-RP-C203 differ for the S-N curves B1 to C2 (fatigue.edition). For ranges above 100 "
-        "to 125 MPa in air and 240 to 300 MPa in protected seawater C, C1 and C2 of 2024 give more damage than those "
-        "of 2016, below less. The numbers of 2024 are those of one public source, and for walls of more than 25 mm the "
-        "larger thickness exponent of older editions is taken with them. Count with both and take the larger damage.");
+        fmt::format("Fatigue: editions of DNV-RP-C203 differ for the S-N curves B1 to C2 (fatigue.edition). For ranges "
+                    "above {} to {} in air and {} to {} in protected seawater C, C1 and C2 of 2024 give more damage "
+                    "than those of 2016, below less. The numbers of 2024 are those of one public source, and for walls "
+                    "of more than {} the larger thickness exponent of older editions is taken with them. Count with "
+                    "both and take the larger damage.",
+                    shown_number(100e6, "Pa", 0), shown(125e6, "Pa", 0), shown_number(240e6, "Pa", 0),
+                    shown(300e6, "Pa", 0), shown(0.025, section_length(), 0)));
   }
   if (model.description.fatigue->hi_lo > 0.0) {
     say(AssumptionRank::other,

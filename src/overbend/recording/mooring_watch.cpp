@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 
+#include "base/shown_unit.h"
 #include "dynamics/machines/mooring_tension.h"
 #include "statics/recovery/lines_recovery.h"
 #include "system/cut_forces.h"
@@ -246,8 +247,8 @@ Findings MooringWatch::findings() const {
                         const char* limit_name) {
     if (!limit || peak.value <= *limit) return false;
     list.push_back(
-        Finding{code, fmt::format("mooring line \"{}\" had {:.1f} kN at t = {:.1f} s, more than {} of {:.1f} kN",
-                                  line.name, 1e-3 * peak.value, peak.time, limit_name, 1e-3 * *limit)}
+        Finding{code, fmt::format("mooring line \"{}\" had {} at t = {:.1f} s, more than {} of {}", line.name,
+                                  shown(peak.value, "N", 1), peak.time, limit_name, shown(*limit, "N", 1))}
             .on("mooring line " + line.name)
             .at_time(peak.time)
             .with("tension", peak.value, "N"));
@@ -285,8 +286,8 @@ void MooringWatch::warn_of_shape(std::size_t line, Findings& list) const {
     list.push_back(Finding{
         FindingCode::anchor_lifted,
         fmt::format(
-            "mooring line \"{}\" lifted its anchor with {:.1f} kN at t = {:.1f} s: no length of it was left on the bed",
-            one.name, 1e-3 * one.uplift.value, one.uplift.time)}
+            "mooring line \"{}\" lifted its anchor with {} at t = {:.1f} s: no length of it was left on the bed",
+            one.name, shown(one.uplift.value, "N", 1), one.uplift.time)}
                        .on("mooring line " + one.name)
                        .at_time(one.uplift.time)
                        .with("uplift", one.uplift.value, "N"));
@@ -298,13 +299,12 @@ void MooringWatch::warn_of_shape(std::size_t line, Findings& list) const {
   warn_of_winch(one, list);
   const double slack = statistics_.mean()[of(kSlack)] * statistics_.weight();
   if (slack > 0.0) {
-    list.push_back(Finding{
-        FindingCode::line_slack,
-        fmt::format("mooring line \"{}\" was slack for {:.1f} s in all: less than a tenth of its tension at the start; "
-                    "it tightens with a jerk",
-                    one.name, slack)}
-                       .on("mooring line " + one.name)
-                       .with("duration", slack, "s"));
+    list.push_back(
+        Finding{FindingCode::line_slack, fmt::format("mooring line \"{}\" was slack for {:.1f} s in all: less than a "
+                                                     "tenth of its tension at the start; it tightens with a jerk",
+                                                     one.name, slack)}
+            .on("mooring line " + one.name)
+            .with("duration", slack, "s"));
   }
 }
 
@@ -315,43 +315,40 @@ void MooringWatch::warn_of_winch(const Watched& line, Findings& list) {
   if (line.rendered > kLeast) {
     list.push_back(
         Finding{FindingCode::winch_rendered,
-                fmt::format("the winch of mooring line \"{}\" rendered: its brake, set to {:.1f} kN, paid out {:.2f} m",
-                            line.name, 1e-3 * line.brake.value_or(0.0), line.rendered)}
+                fmt::format("the winch of mooring line \"{}\" rendered: its brake, set to {}, paid out {}", line.name,
+                            shown(line.brake.value_or(0.0), "N", 1), shown(line.rendered, "m", 2))}
             .on("mooring line " + line.name)
             .with("length", line.rendered, "m"));
   }
   if (line.held_up_for > kLeast) {
     list.push_back(
         Finding{FindingCode::winch_stalled,
-                fmt::format("the winch of mooring line \"{}\" could not haul in for {:.1f} s: it stalls at {:.1f} kN",
-                            line.name, line.held_up_for, 1e-3 * line.stall.value_or(0.0))}
+                fmt::format("the winch of mooring line \"{}\" could not haul in for {:.1f} s: it stalls at {}",
+                            line.name, line.held_up_for, shown(line.stall.value_or(0.0), "N", 1))}
             .on("mooring line " + line.name)
             .with("duration", line.held_up_for, "s"));
   }
   if (line.slipped > kLeast) {
-    list.push_back(Finding{
-        FindingCode::anchor_dragged,
-        fmt::format("the anchor of mooring line \"{}\" dragged by {:.2f} m: its holding power is {:.1f} kN, less the "
-                    "uplift",
-                    line.name, line.slipped, 1e-3 * line.holding.value_or(0.0))}
-                       .on("mooring line " + line.name)
-                       .with("distance", line.slipped, "m"));
+    list.push_back(
+        Finding{FindingCode::anchor_dragged,
+                fmt::format("the anchor of mooring line \"{}\" dragged by {}: its holding power is {}, less the uplift",
+                            line.name, shown(line.slipped, "m", 2), shown(line.holding.value_or(0.0), "N", 1))}
+            .on("mooring line " + line.name)
+            .with("distance", line.slipped, "m"));
   }
   if (line.least_element < kLeastElement || line.most_element > kMostElement) {
-    list.push_back(Finding{
-        FindingCode::winch_element_stretched,
-        fmt::format(
-            "the winch of mooring line \"{}\" changed the length of the line's last element to {:.2f} to {:.2f} "
-            "times its own: forces are less accurate beyond a half and one and a half",
-            line.name, line.least_element, line.most_element)}
-                       .on("mooring line " + line.name));
+    list.push_back(
+        Finding{FindingCode::winch_element_stretched,
+                fmt::format("the winch of mooring line \"{}\" changed the length of the line's last element to {:.2f} "
+                            "to {:.2f} times its own: forces are less accurate beyond a half and one and a half",
+                            line.name, line.least_element, line.most_element)}
+            .on("mooring line " + line.name));
   }
   if (line.last_element > kLongElement * line.length) {
-    list.push_back(Finding{
-        FindingCode::winch_element_stretched,
-        fmt::format("the last element of mooring line \"{}\" is {:.0f} m long, as the way of its winch asks for: its "
-                    "shape and tension are less accurate",
-                    line.name, line.last_element)}
+    list.push_back(Finding{FindingCode::winch_element_stretched,
+                           fmt::format("the last element of mooring line \"{}\" is {} long, as the way of its winch "
+                                       "asks for: its shape and tension are less accurate",
+                                       line.name, shown(line.last_element, "m", 0))}
                        .on("mooring line " + line.name));
   }
   if (line.parted_at) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_unit.h"
 #include "model/description/description_words.h"
 
 namespace overbend {
@@ -11,25 +12,23 @@ namespace {
 void warn_of_tensioner(const TensionerDescription& tensioner, const MoveProfile& move, DynamicResults& results) {
   const Spread& travel = results.tensioner.travel;
   if (results.tensioner.mode == word_of(TensionerMode::locked) && travel.max == travel.min) {
-    results.findings.push_back(Finding{
-        FindingCode::tensioner_locked_in_move,
-        "the tensioner is locked while the vessel moves: no pipe is paid out, and the tension is that of the pulled "
-        "pipe"}
+    results.findings.push_back(Finding{FindingCode::tensioner_locked_in_move,
+                                       "the tensioner is locked while the vessel moves: no pipe is paid out, and the "
+                                       "tension is that of the pulled pipe"}
                                    .on("tensioner"));
   } else if (tensioner.velocity > 0.0 && tensioner.velocity < move.speed) {
-    results.findings.push_back(Finding{
-        FindingCode::tensioner_slower_than_vessel,
-        fmt::format("the tensioner pays out {:.2f} m/s at most, the vessel moves at {:.2f} m/s: it cannot follow",
-                    tensioner.velocity, move.speed)}
-                                   .on("tensioner")
-                                   .with("velocity", tensioner.velocity, "m/s"));
+    results.findings.push_back(
+        Finding{FindingCode::tensioner_slower_than_vessel,
+                fmt::format("the tensioner pays out {} at most, the vessel moves at {}: it cannot follow",
+                            shown(tensioner.velocity, "m/s", 2), shown(move.speed, "m/s", 2))}
+            .on("tensioner")
+            .with("velocity", tensioner.velocity, "m/s"));
   }
   if (tensioner.travel) {
     results.findings.push_back(Finding{
         FindingCode::tensioner_travel_not_applied,
-        fmt::format(
-            "the tensioner's travel of {:.2f} m is not applied: while the vessel moves it feeds pipe without end",
-            *tensioner.travel)}
+        fmt::format("the tensioner's travel of {} is not applied: while the vessel moves it feeds pipe without end",
+                    shown(*tensioner.travel, "m", 2))}
                                    .on("tensioner")
                                    .with("travel", *tensioner.travel, "m"));
   }
@@ -51,8 +50,8 @@ void assume_of_move(const Model& model, const MoveProfile& move, DynamicResults&
   const bool told = model.description.vessel.motion != VesselMotion::coupled;
   results.assumptions.push_back(
       {AssumptionRank::other,
-       fmt::format("The vessel {} {:.2f} m ahead in {} from t = {:.0f} s on{}.",
-                   told ? "moves as told, whatever the tension," : "is pulled", move.whole_way(),
+       fmt::format("The vessel {} {} ahead in {} from t = {:.0f} s on{}.",
+                   told ? "moves as told, whatever the tension," : "is pulled", shown(move.whole_way(), "m", 2),
                    move.moves == 1 ? "one move" : fmt::format("{} moves", move.moves), move.start,
                    model.description.has_pipe ? "; pipe that is paid out joins the line in elements, and its weight "
                                                 "between the guide and the last of them is left out"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/shown_unit.h"
 #include "dynamics/setup/start_leap.h"
 #include "recording/dynamic_recorder.h"
 #include "recording/moored_recorder.h"
@@ -37,23 +38,22 @@ DynamicResults begun_results(const Model& model, const Run& run) {
   r.energy = run.energy();
   r.run = finished(run.report(), options, r.duration + std::ceil(r.build_up / r.output_step) * r.output_step);
   if (const double leap = leap_at_start(model); leap > kSmallLeap) {
-    r.findings.push_back(Finding{
-        FindingCode::start_without_build_up,
-        fmt::format("without build-up the stern shoe leaps by {:.3g} m from where statics have it: what rings after "
-                    "t = 0 comes from that; give some wave periods (analysis.dynamic.build_up)",
-                    leap)}
-                             .on("vessel")
-                             .with("distance", leap, "m"));
+    r.findings.push_back(
+        Finding{FindingCode::start_without_build_up,
+                fmt::format("without build-up the stern shoe leaps by {} from where statics have it: what rings after "
+                            "t = 0 comes from that; give some wave periods (analysis.dynamic.build_up)",
+                            shown_digits(leap, "m", 3))}
+            .on("vessel")
+            .with("distance", leap, "m"));
   }
   if (const double speed = speed_at_start(model); speed > kSmallSpeed) {
-    r.findings.push_back(Finding{
-        FindingCode::start_without_build_up,
-        fmt::format(
-            "without build-up the stern shoe has {:.3g} m/s at once: impacts and tensions after t = 0 come from "
-            "that; give some wave periods (analysis.dynamic.build_up)",
-            speed)}
-                             .on("vessel")
-                             .with("speed", speed, "m/s"));
+    r.findings.push_back(
+        Finding{FindingCode::start_without_build_up,
+                fmt::format("without build-up the stern shoe has {} at once: impacts and tensions after t = 0 come "
+                            "from that; give some wave periods (analysis.dynamic.build_up)",
+                            shown_digits(speed, "m/s", 3))}
+            .on("vessel")
+            .with("speed", speed, "m/s"));
   }
   return r;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "dynamics/setup/stinger_setup.h"
 
 namespace overbend {
@@ -105,9 +106,8 @@ Findings StingerWatch::findings() const {
       list.push_back(Finding{
           FindingCode::stinger_stop_impacts,
           fmt::format(
-              "the stinger section '{}' ran into a stop {:.0f} times; the largest stop moment, {:.0f} kN m, was at t = "
-              "{:.1f} s",
-              section.name, section.hits, 1e-3 * section.hardest, section.hardest_at)}
+              "the stinger section '{}' ran into a stop {:.0f} times; the largest stop moment, {}, was at t = {:.1f} s",
+              section.name, section.hits, shown(section.hardest, "N m", 0), section.hardest_at)}
                          .on(section.name)
                          .at_time(section.hardest_at)
                          .with("moment", section.hardest, "N m"));

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "base/shown_unit.h"
+
 namespace overbend {
 namespace {
 
@@ -53,14 +55,14 @@ Findings ThrustWatch::findings() const {
   Findings list;
   for (const ThrustDynamics& one : results()) {
     if (!one.limit || one.time_at_limit <= 0.0) continue;
-    const char* const unit = one.name == kNames[kYaw] ? "kN m" : "kN";
+    const char* const unit = one.name == kNames[kYaw] ? "N m" : "N";
     list.push_back(Finding{
         FindingCode::thrust_at_limit,
-        fmt::format("dynamic positioning is at its limit in {0} for {1:.3g} s, {2:.2g} % of the run: up to {3:.4g} {4} "
-                    "is asked for, and it gives {5:.4g} {4} at most (station_keeping.dp.{0}.thrust_limit): there it "
-                    "neither holds nor damps",
-                    one.name, one.time_at_limit, 100.0 * one.time_at_limit / statistics_.weight(),
-                    1e-3 * one.largest_asked, unit, 1e-3 * *one.limit)}
+        fmt::format(
+            "dynamic positioning is at its limit in {0} for {1:.3g} s, {2:.2g} % of the run: up to {3} is asked for, "
+            "and it gives {4} at most (station_keeping.dp.{0}.thrust_limit): there it neither holds nor damps",
+            one.name, one.time_at_limit, 100.0 * one.time_at_limit / statistics_.weight(),
+            shown_digits(one.largest_asked, unit, 4), shown_digits(*one.limit, unit, 4))}
                        .on("dynamic positioning, " + one.name)
                        .with("duration", one.time_at_limit, "s"));
   }

@@ -7,6 +7,8 @@
 #include <array>
 #include <cctype>
 
+#include "base/shown_unit.h"
+#include "results/fields/result_field.h"
 #include "results/result_words.h"
 
 namespace overbend {
@@ -41,7 +43,7 @@ std::string reasons(const CheckTable& table) {
                          ? "No governing check is exceeded."
                          : fmt::format("{} governing check{} exceeded.", exceeded, exceeded == 1 ? " is" : "s are");
   text += fmt::format(" The largest utilisation is {}: {}, {}{}.", fixed(worst->utilisation, 3), check_words(*worst),
-                      is_on_pipe(*worst) ? fixed(worst->from_top, 1) + " m from the tensioner" : worst->remark,
+                      is_on_pipe(*worst) ? shown(worst->from_top, "m", 1) + " from the tensioner" : worst->remark,
                       worst->in_time ? ", t = " + fixed(worst->time, 1) + " s" : "");
   if (invalid > 0) {
     text += fmt::format(" {} outside the validity of {}: neither passed nor failed.", invalid,

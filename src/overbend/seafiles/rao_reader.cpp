@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/shown_unit.h"
 #include "base/text.h"
 #include "seafiles/rao_assembly.h"
 #include "seafiles/rao_formats.h"
@@ -32,9 +33,8 @@ void place_points(RaoTable& table, const std::string& set, const RaoSettings& st
     table.reference_V = given.file_origin + *stated.reference;
     if (set == "orcaflex" && !given.file_origin_stated) {
       table.assumptions.push_back(
-          {AssumptionRank::other, name +
-                                      " give their origin in the vessel axes of the file; the origin of these axes is "
-                                      "assumed at midship on the water line."});
+          {AssumptionRank::other, name + " give their origin in the vessel axes of the file; the origin of these axes "
+                                         "is assumed at midship on the water line."});
     }
   } else {
     table.assumptions.push_back(
@@ -69,10 +69,9 @@ RaoTable sides_alike(RaoTable table, double depth) {
     table.assumptions.push_back(
         {AssumptionRank::other,
          fmt::format(
-             "The RAOs of {} cover one side of the vessel and are of a point {:.3g} m off the centreline; for the "
-             "mirror "
+             "The RAOs of {} cover one side of the vessel and are of a point {} off the centreline; for the mirror "
              "image they are moved to the centreline, and the vessel's motions in the results are of the point there.",
-             table.source, std::abs(reference))});
+             table.source, shown_digits(std::abs(reference), "m", 3))});
   }
   return moved_to_centreline(std::move(table), depth);
 }

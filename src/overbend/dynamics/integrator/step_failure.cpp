@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_unit.h"
+
 namespace overbend {
 namespace {
 
@@ -16,8 +18,8 @@ std::string node_words(const System& system, std::size_t line, int node) {
   const std::vector<double>& s = system.lines[line].mesh.s;
   const double at = s[static_cast<std::size_t>(node)];
   const std::size_t first = first_mooring(system);
-  if (line < first) return fmt::format("{:.3f} m from the anchor", at);
-  return fmt::format("line {}, {:.3f} m from its first end", line - first + 1, at - s.front());
+  if (line < first) return fmt::format("{} from the anchor", shown(at, "m", 3));
+  return fmt::format("line {}, {} from its first end", line - first + 1, shown(at - s.front(), "m", 3));
 }
 
 }  // namespace

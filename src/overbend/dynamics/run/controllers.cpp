@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/shown_unit.h"
 #include "dynamics/integrator/dynamic_checkpoint.h"
 #include "dynamics/machines/giving_ends.h"
 #include "dynamics/machines/mooring_winch.h"
@@ -265,10 +266,9 @@ Assumptions Controllers::assumptions() const {
   for (const CommandedMachine& machine : machines_) {
     if (machine.controller == nullptr) continue;
     list.push_back(
-        {AssumptionRank::other,
-         fmt::format("A controller from outside, asked every {:.6g} s, drove {}: it is not part of the model "
-                     "file, which alone does not give these results again.",
-                     machine.interval, machine.words)});
+        {AssumptionRank::other, fmt::format("A controller from outside, asked every {:.6g} s, drove {}: it is not part "
+                                            "of the model file, which alone does not give these results again.",
+                                            machine.interval, machine.words)});
   }
   return list;
 }
@@ -278,15 +278,16 @@ Findings Controllers::findings(const System& system) const {
   for (const CommandedMachine& machine : machines_) {
     const TensionerLaw& law = machine_law(system, machine);
     if (machine.fastest_asked > law.velocity * (1.0 + 1e-9)) {
-      list.push_back(Finding{FindingCode::controller_limited,
-                             fmt::format("{} was asked for up to {:.3g} m/s: it goes at {:.3g} m/s at most",
-                                         machine.words, machine.fastest_asked, law.velocity)}
-                         .on(machine.words));
+      list.push_back(
+          Finding{FindingCode::controller_limited,
+                  fmt::format("{} was asked for up to {}: it goes at {} at most", machine.words,
+                              shown_digits(machine.fastest_asked, "m/s", 3), shown_digits(law.velocity, "m/s", 3))}
+              .on(machine.words));
     }
     if (machine.stopped_at && system.attachments[machine.attachment].winch) {
       list.push_back(Finding{FindingCode::controller_limited,
-                             fmt::format("{} came to the end of its range, {:.2f} m either way, {}", machine.words,
-                                         law.limit, at_time(*machine.stopped_at))}
+                             fmt::format("{} came to the end of its range, {} either way, {}", machine.words,
+                                         shown(law.limit, "m", 2), at_time(*machine.stopped_at))}
                          .on(machine.words)
                          .at_time(*machine.stopped_at));
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/shown_unit.h"
 #include "dynamics/integrator/dynamic_clock.h"
 #include "dynamics/setup/start_leap.h"
 #include "model/vessel/station.h"
@@ -68,11 +69,10 @@ std::optional<StaticFailure> coupled_obstacle(const Description& d) {
 std::optional<StaticFailure> leap_obstacle(const Model& model) {
   const double leap = leap_at_start(model);
   if (leap <= kLargestLeap) return std::nullopt;
-  return refused(
-      "analysis.dynamic.build_up", "the vessel cannot be at once where its motion has it",
-      fmt::format("without build-up the stern shoe leaps by {:.3g} m from where statics have it, and strikes "
-                  "what hangs on it; give some wave periods",
-                  leap));
+  return refused("analysis.dynamic.build_up", "the vessel cannot be at once where its motion has it",
+                 fmt::format("without build-up the stern shoe leaps by {} from where statics have it, and strikes what "
+                             "hangs on it; give some wave periods",
+                             shown_digits(leap, "m", 3)));
 }
 
 /// A record that ends before the run does. The vessel would stop dead there, and strike what hangs on it.
@@ -84,8 +84,8 @@ std::optional<StaticFailure> record_obstacle(const VesselDescription& vessel, co
                                 first, last, end);
   if (end > run.duration * (1.0 + 1e-9)) {
     why += fmt::format(
-        ": it ends with the first row of output (analysis.dynamic.output_step, {:g} s) at or after its "
-        "duration of {:g} s",
+        ": it ends with the first row of output (analysis.dynamic.output_step, {:g} s) at or after its duration of "
+        "{:g} s",
         run.output_step, run.duration);
   }
   return refused("vessel.motion.history", "the record of the vessel's motion does not cover the run", std::move(why));
@@ -163,9 +163,9 @@ std::optional<StaticFailure> lines_obstacle(const Model& model, const DynamicOpt
   if (leap <= kLargestLeap) return std::nullopt;
   return refused(
       "analysis.dynamic.build_up", "the ends of the lines cannot be at once where their motion has them",
-      fmt::format("without build-up an end leaps by {:.3g} m from where statics have it, and jerks its line; "
-                  "give some periods",
-                  leap));
+      fmt::format(
+          "without build-up an end leaps by {} from where statics have it, and jerks its line; give some periods",
+          shown_digits(leap, "m", 3)));
 }
 
 }  // namespace overbend

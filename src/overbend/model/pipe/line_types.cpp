@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "base/shown_unit.h"
 #include "model/description/description_words.h"
 #include "model/pipe/section.h"
 
@@ -42,7 +43,8 @@ LineTypeDescription wire_rope(double diameter, RopeCore core) {
   const RopeNumbers numbers = numbers_of(core);
   const double d2 = diameter * diameter;
   LineTypeDescription type;
-  type.made_from = fmt::format("six-strand wire rope of {:.4g} mm with a {} core", 1e3 * diameter, word_of(core));
+  type.made_from = fmt::format("six-strand wire rope of {} with a {} core", shown_digits(diameter, section_length(), 4),
+                               word_of(core));
   type.diameter = type.drag_diameter = diameter;
   type.volume_diameter = numbers.volume_diameter * diameter;
   type.weight_in_air = numbers.mass * d2 * kGravity;
@@ -58,7 +60,7 @@ LineTypeDescription chain(double diameter, ChainLink link) {
   const ChainNumbers numbers = numbers_of(link);
   const double d2 = diameter * diameter, d3 = d2 * diameter;
   LineTypeDescription type;
-  type.made_from = fmt::format("{} chain R4 of {:.4g} mm", word_of(link), 1e3 * diameter);
+  type.made_from = fmt::format("{} chain R4 of {}", word_of(link), shown_digits(diameter, section_length(), 4));
   type.diameter = diameter;
   type.volume_diameter = type.drag_diameter = numbers.volume_diameter * diameter;
   type.weight_in_air = numbers.mass * d2 * kGravity;

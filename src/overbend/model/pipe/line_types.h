@@ -9,6 +9,9 @@
 
 namespace overbend {
 
+/// What `made_from` says of a type with numbers of its own.
+inline constexpr const char* kGivenNumbers = "numbers of the model";
+
 /// Six-strand wire rope of a nominal diameter [m], all numbers of it filled in but the bending stiffness and the weight
 /// under water.
 LineTypeDescription wire_rope(double diameter, RopeCore core);

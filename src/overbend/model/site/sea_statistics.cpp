@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/constants.h"
+#include "base/shown_unit.h"
 
 namespace overbend {
 
@@ -26,7 +27,7 @@ SeaStatistics sea_statistics(const std::vector<SpectrumPoint>& points) {
 
 std::string sea_statistics_words(const std::vector<SpectrumPoint>& points) {
   const SeaStatistics sea = sea_statistics(points);
-  return fmt::format("Hs {:.3g} m, Tp {:.3g} s, Tz {:.3g} s", sea.hs, sea.tp, sea.tz);
+  return fmt::format("Hs {}, Tp {:.3g} s, Tz {:.3g} s", shown_digits(sea.hs, "m", 3), sea.tp, sea.tz);
 }
 
 }  // namespace overbend

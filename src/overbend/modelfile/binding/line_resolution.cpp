@@ -13,7 +13,7 @@ void resolve_type(LineTypeDescription& type, double water_weight_density) {
   if (std::isnan(type.volume_diameter)) type.volume_diameter = type.diameter;
   if (std::isnan(type.drag_diameter)) type.drag_diameter = type.diameter;
   if (std::isnan(type.weight_submerged)) type.weight_submerged = submerged_weight(type, water_weight_density);
-  if (type.made_from.empty()) type.made_from = "numbers of the model";
+  if (type.made_from.empty()) type.made_from = kGivenNumbers;
 }
 
 /// The check that the name is known came before.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "base/units.h"
 #include "model/pipe/section.h"
 #include "seafiles/displaced_volume.h"
@@ -49,14 +50,13 @@ class HullChecker {
     if (!estimate) return check_fineness();
     const double displaced = water_density_ * estimate->volume, ratio = hull_.mass / displaced;
     if (std::abs(ratio - 1.0) <= kShare + estimate->uncertainty) return;
-    report(
-        Severity::error, "mass", "a mass of " + format_quantity(hull_.mass, "kg", "t"),
-        fmt::format("the {} of water that the hull displaces, as the forces of long waves in its files have it, within "
-                    "{:.1f} %",
-                    format_quantity(displaced, "kg", "t", 5), 100.0 * (kShare + estimate->uncertainty)),
-        fmt::format("constant forces of {} would hold the difference{}",
-                    format_quantity(std::abs(hull_.mass - displaced) * kGravity, "N", "MN", 3),
-                    ratio < 2e-3 ? "; is the mass in t?" : ""));
+    report(Severity::error, "mass", "a mass of " + format_quantity(hull_.mass, "kg", "t"),
+           fmt::format("the {} of water that the hull displaces, as the forces of long waves in its files have it, "
+                       "within {:.1f} %",
+                       format_quantity(displaced, "kg", "t", 5), 100.0 * (kShare + estimate->uncertainty)),
+           fmt::format("constant forces of {} would hold the difference{}",
+                       format_quantity(std::abs(hull_.mass - displaced) * kGravity, "N", "MN", 3),
+                       ratio < 2e-3 ? "; is the mass in t?" : ""));
   }
 
   /// Without long waves in the files: block and waterplane coefficient go together.
@@ -100,11 +100,10 @@ class HullChecker {
     const double deck = vessel_.depth - vessel_.draught;
     const auto outside = [&](const char* axis, double value, double low, double high) {
       if (value >= low && value <= high) return;
-      report(
-          Severity::warning, std::string("centre_of_gravity.") + axis,
-          fmt::format("{:.4g} m is outside of the hull, from {:.4g} m to {:.4g} m; is it measured from midship at the "
-                      "water line?",
-                      value, low, high));
+      report(Severity::warning, std::string("centre_of_gravity.") + axis,
+             fmt::format("{:.4g} m is outside of the hull, from {:.4g} m to {:.4g} m; is it measured from midship at "
+                         "the water line?",
+                         value, low, high));
     };
     outside("x", g.x(), -0.5 * vessel_.length, 0.5 * vessel_.length);
     outside("y", g.y(), -0.5 * vessel_.beam, 0.5 * vessel_.beam);
@@ -123,17 +122,16 @@ class HullChecker {
     const double weight = hull_.mass * kGravity, height = stiffness / weight;
     const double highest = hull_.data->water_density * hull_.data->gravity * inertia / weight + vessel_.draught;
     if (height > 1.05 * highest) {
-      report(
-          Severity::error, "hydrodynamics",
-          fmt::format("a metacentric height of {:.4g} m in {} by the files' stiffness and the mass", height, freedom),
-          fmt::format("at most {:.4g} m, that of a box of this length, beam and draught", highest),
-          "is convention.length_scale right, and are these the files of this hull?");
+      report(Severity::error, "hydrodynamics",
+             fmt::format("a metacentric height of {} in {} by the files' stiffness and the mass",
+                         shown_digits(height, "m", 4), freedom),
+             fmt::format("at most {}, that of a box of this length, beam and draught", shown_digits(highest, "m", 4)),
+             "is convention.length_scale right, and are these the files of this hull?");
     } else if (height < lowest) {
-      report(
-          Severity::warning, "hydrodynamics",
-          fmt::format("the metacentric height in {} is {:.2g} m by the files' stiffness and the mass: the hull hardly "
-                      "rights itself; do the files refer to this centre of gravity?",
-                      freedom, height));
+      report(Severity::warning, "hydrodynamics",
+             fmt::format("the metacentric height in {} is {} by the files' stiffness and the mass: the hull hardly "
+                         "rights itself; do the files refer to this centre of gravity?",
+                         freedom, shown_digits(height, "m", 2)));
     }
   }
 
@@ -149,11 +147,11 @@ class HullChecker {
   void check_flotation_along(const char* axis, double gravity, double arm, double size, double share) {
     const double place = gravity + arm;
     if (std::abs(gravity) > 0.5 * size || std::abs(place) <= share * size) return;
-    report(
-        Severity::warning, std::string("centre_of_gravity.") + axis,
-        fmt::format("with the centre of gravity at {:.4g} m the centre of the waterplane is at {:.4g} m, by the files' "
-                    "stiffness; usual is within {:.3g} m of {}: do the files refer to the centre of gravity?",
-                    gravity, place, share * size, axis[0] == 'x' ? "midship" : "the centreline"));
+    report(Severity::warning, std::string("centre_of_gravity.") + axis,
+           fmt::format("with the centre of gravity at {} the centre of the waterplane is at {}, by the files' "
+                       "stiffness; usual is within {} of {}: do the files refer to the centre of gravity?",
+                       shown_digits(gravity, "m", 4), shown_digits(place, "m", 4), shown_digits(share * size, "m", 3),
+                       axis[0] == 'x' ? "midship" : "the centreline"));
   }
 
   void check_density() {

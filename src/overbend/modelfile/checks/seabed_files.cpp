@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/constants.h"
+#include "base/shown_unit.h"
 #include "base/units.h"
 #include "model/model.h"
 #include "model/site/bed_shape.h"
@@ -88,12 +89,11 @@ void check_shore(const FieldValue& root, const Description& description, Diagnos
   const FieldValue* value = root.find(key);
   const std::optional<double> shore = value != nullptr ? shore_astern(description) : std::nullopt;
   if (!shore) return;
-  diagnostics.add(
-      {Severity::warning, description.source_file, value->line, 0, key,
-       fmt::format("the seabed leaves the water {:.1f} m astern of the stern shoe: it rises in the direction in "
-                   "which the pipe is laid",
-                   *shore),
-       "", ""});
+  diagnostics.add({Severity::warning, description.source_file, value->line, 0, key,
+                   fmt::format("the seabed leaves the water {} astern of the stern shoe: it rises in the direction in "
+                               "which the pipe is laid",
+                               shown(*shore, "m", 1)),
+                   "", ""});
 }
 
 void read_bathymetry_file(const FieldValue& root, Description& description, Diagnostics& diagnostics) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "base/units.h"
 
 namespace overbend {
@@ -47,8 +48,8 @@ void check_reach(const FieldValue& root, const Description& description, Diagnos
     const FieldValue* own = lines->children[i].find("length");
     const FieldValue& at = own != nullptr ? *own : *lines->children[i].find("segments");
     diagnostics.add({Severity::error, description.source_file, at.line, 0, at.path,
-                     "a line too short to reach: " + format_number(reach, 6) + " m when it breaks",
-                     "at least the " + format_number(way, 6) + " m from its fairlead to its anchor",
+                     "a line too short to reach: " + shown_digits(reach, "m", 6) + " when it breaks",
+                     "at least the " + shown_digits(way, "m", 6) + " from its fairlead to its anchor",
                      "with the vessel as drawn"});
   }
 }

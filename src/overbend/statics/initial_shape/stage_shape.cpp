@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/shown_unit.h"
 #include "model/lay_stage.h"
 #include "statics/initial_shape/shape_curve.h"
 
@@ -199,9 +200,9 @@ LayShape shape_that_lands(const Model& model, const LayPlane& plane, double tens
   const std::optional<double> H = start.tension > 0.0 ? span.pull(start) : std::nullopt;
   if (!H) {
     shape.problem = fmt::format(
-        "with {:.1f} kN at the top the line hangs plumb above the place where it should end: at least {:.1f} kN are "
-        "needed for the weight of what hangs",
-        1e-3 * tension, 1e-3 * least_stage_tension(model, plane));
+        "with {} at the top the line hangs plumb above the place where it should end: at least {} are needed for the "
+        "weight of what hangs",
+        shown(tension, "N", 1), shown(least_stage_tension(model, plane), "N", 1));
     return shape;
   }
   shape.bottom_tension = *H;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shown_unit.h"
+
 namespace overbend {
 namespace {
 
@@ -38,8 +40,8 @@ void rest_at_tension(MooredHull& moored, std::size_t index, double tension) {
         .fault;
   };
   if (set_length() != CatenaryFault::none) {
-    moored.rest.fault = fmt::format("mooring line \"{}\": no length of its first segment gives a tension of {:.1f} kN",
-                                    line.name, tension / 1e3);
+    moored.rest.fault = fmt::format("mooring line \"{}\": no length of its first segment gives a tension of {}",
+                                    line.name, shown(tension, "N", 1));
     return;
   }
   double before = line.line.first_segment(), miss_before = 0.0;
@@ -57,8 +59,8 @@ void rest_at_tension(MooredHull& moored, std::size_t index, double tension) {
       break;
     }
   }
-  moored.rest.fault =
-      fmt::format("mooring line \"{}\": no rest of the hull was found with {:.1f} kN in it", line.name, tension / 1e3);
+  moored.rest.fault = fmt::format("mooring line \"{}\": no rest of the hull was found with {} in it", line.name,
+                                  shown(tension, "N", 1));
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "base/constants.h"
+#include "base/shown_unit.h"
+#include "model/pipe/line_types.h"
 #include "model/vessel/station.h"
 #include "moorings/bed_departure.h"
 #include "moorings/clearance.h"
@@ -18,8 +20,6 @@ namespace {
 
 /// Points of each hanging span in pictures and for clearances.
 constexpr int kShapePoints = 60;
-/// What the reader says of a type whose numbers the model gives.
-constexpr const char* kGivenNumbers = "numbers of the model";
 constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 constexpr double kLargeAngle = 10.0 * kDegree;  ///< Beyond it the water's restoring is not linear.
 
@@ -121,10 +121,9 @@ std::optional<double> brake_of(const MooringsDescription& moorings, const std::s
 }
 
 void assume_lines(const MooringsDescription& moorings, Assumptions& list) {
-  list.push_back(
-      {AssumptionRank::governing,
-       "Mooring lines are elastic catenaries: without bending stiffness, without current and waves on them, on a rigid "
-       "bed at the line's axis, with the weight in air above the mean water level."});
+  list.push_back({AssumptionRank::governing,
+                  "Mooring lines are elastic catenaries: without bending stiffness, without current and waves on them, "
+                  "on a rigid bed at the line's axis, with the weight in air above the mean water level."});
   list.push_back(
       {AssumptionRank::other, "Sheaves, their friction and the run from the fairlead to the winch are left out."});
   for (const MooringLineDescription& line : moorings.lines) {
@@ -155,20 +154,17 @@ void warn_of_large_offset(const VesselDescription& vessel, const MooredState& st
   if (std::max(std::abs(state.vessel.roll), std::abs(state.vessel.pitch)) > kLargeAngle) {
     list.push_back(Finding{FindingCode::vessel_angle_nonlinear,
                            fmt::format("{}: the vessel heels by {:.1f} deg and trims by {:.1f} deg: beyond 10 deg the "
-                                       "restoring of the water is not "
-                                       "linear, as it is taken to be.",
+                                       "restoring of the water is not linear, as it is taken to be.",
                                        state.name, kToDegrees * state.vessel.roll, kToDegrees * state.vessel.pitch)}
                        .on("vessel")
                        .with("roll", state.vessel.roll, "rad")
                        .with("pitch", state.vessel.pitch, "rad"));
   }
   if (heave > 0.5 * (vessel.depth - vessel.draught)) {
-    list.push_back(Finding{
-        FindingCode::vessel_heave_nonlinear,
-        fmt::format(
-            "{}: the vessel heaves by {:.2f} m, more than half its freeboard: the restoring of the water is not "
-            "linear there, as it is taken to be.",
-            state.name, state.vessel.heave)}
+    list.push_back(Finding{FindingCode::vessel_heave_nonlinear,
+                           fmt::format("{}: the vessel heaves by {}, more than half its freeboard: the restoring of "
+                                       "the water is not linear there, as it is taken to be.",
+                                       state.name, shown(state.vessel.heave, "m", 2))}
                        .on("vessel")
                        .with("heave", state.vessel.heave, "m"));
   }
@@ -183,17 +179,16 @@ void warn_of_bed(const BedSurface& bed, const MooringLineResult& line, const std
   const BedDeparture there = bed_departure(bed, line.shape_W);
   if (there.inside > kTold) {
     list.push_back(Finding{FindingCode::line_off_seabed,
-                           fmt::format("{} runs up to {:.1f} m in the seabed, {:.0f} m from its anchor: {}", head,
-                                       there.inside, there.inside_at, kWhy)}
+                           fmt::format("{} runs up to {} in the seabed, {} from its anchor: {}", head,
+                                       shown(there.inside, "m", 1), shown(there.inside_at, "m", 0), kWhy)}
                        .on("mooring line " + line.name)
                        .with("depth", there.inside, "m"));
   } else if (there.over_hollow > kTold) {
-    list.push_back(
-        Finding{FindingCode::line_off_seabed,
-                fmt::format("{} is taken to lie up to {:.1f} m above the seabed, {:.0f} m from its anchor: {}", head,
-                            there.over_hollow, there.hollow_at, kWhy)}
-            .on("mooring line " + line.name)
-            .with("height", there.over_hollow, "m"));
+    list.push_back(Finding{FindingCode::line_off_seabed,
+                           fmt::format("{} is taken to lie up to {} above the seabed, {} from its anchor: {}", head,
+                                       shown(there.over_hollow, "m", 1), shown(there.hollow_at, "m", 0), kWhy)}
+                       .on("mooring line " + line.name)
+                       .with("height", there.over_hollow, "m"));
   }
 }
 
@@ -237,7 +232,7 @@ Findings mooring_findings(const Model& model, const MooringSpread& spread, const
   for (std::size_t i = 0; i < state.moorings.size(); ++i) {
     const MooringLineResult& line = state.moorings[i];
     const std::string head = fmt::format("{}: mooring line \"{}\"", state.name, line.name);
-    const double tension = line.fairlead_tension / 1e3;
+    const std::string tension = shown(line.fairlead_tension, "N", 1);
     if (line.parted) continue;
     effective += line.slack ? 0 : 1;
     if (line.slack) {
@@ -246,28 +241,27 @@ Findings mooring_findings(const Model& model, const MooringSpread& spread, const
     }
     if (line.utilisation && *line.utilisation > 1.0) {
       list.push_back(Finding{FindingCode::breaking_load_exceeded,
-                             fmt::format("{} has {:.1f} kN, more than its breaking load.", head, tension)}
+                             fmt::format("{} has {}, more than its breaking load.", head, tension)}
                          .on("mooring line " + line.name)
                          .with("tension", line.fairlead_tension, "N"));
     } else if (moorings.working_load && line.fairlead_tension > *moorings.working_load) {
       list.push_back(Finding{FindingCode::working_load_exceeded,
-                             fmt::format("{} has {:.1f} kN, more than the working load.", head, tension)}
+                             fmt::format("{} has {}, more than the working load.", head, tension)}
                          .on("mooring line " + line.name)
                          .with("tension", line.fairlead_tension, "N"));
     }
     if (const std::optional<double> brake = brake_of(moorings, moorings.lines[i].winch);
         brake && line.fairlead_tension > *brake) {
-      list.push_back(
-          Finding{FindingCode::winch_limit_exceeded,
-                  fmt::format("{} has {:.1f} kN, more than the {:.1f} kN at which its winch's brake renders.", head,
-                              tension, *brake / 1e3)}
-              .on("mooring line " + line.name)
-              .with("tension", line.fairlead_tension, "N"));
+      list.push_back(Finding{FindingCode::winch_limit_exceeded,
+                             fmt::format("{} has {}, more than the {} at which its winch's brake renders.", head,
+                                         tension, shown(*brake, "N", 1))}
+                         .on("mooring line " + line.name)
+                         .with("tension", line.fairlead_tension, "N"));
     }
     if (line.anchor_uplift > 0.0) {
       list.push_back(Finding{FindingCode::anchor_lifted,
-                             fmt::format("{} lifts its anchor with {:.1f} kN: no length of it is left on the bed.",
-                                         head, line.anchor_uplift / 1e3)}
+                             fmt::format("{} lifts its anchor with {}: no length of it is left on the bed.", head,
+                                         shown(line.anchor_uplift, "N", 1))}
                          .on("mooring line " + line.name)
                          .with("uplift", line.anchor_uplift, "N"));
     } else if (line.on_bed <= 0.0) {
@@ -276,8 +270,8 @@ Findings mooring_findings(const Model& model, const MooringSpread& spread, const
     }
     if (line.anchor_utilisation && *line.anchor_utilisation > 1.0) {
       list.push_back(Finding{FindingCode::anchor_holding_exceeded,
-                             fmt::format("{} pulls its anchor with {:.1f} kN, more than its holding power.", head,
-                                         line.anchor_tension / 1e3)}
+                             fmt::format("{} pulls its anchor with {}, more than its holding power.", head,
+                                         shown(line.anchor_tension, "N", 1))}
                          .on("mooring line " + line.name)
                          .with("tension", line.anchor_tension, "N"));
     }
@@ -285,8 +279,8 @@ Findings mooring_findings(const Model& model, const MooringSpread& spread, const
     const std::optional<double>& drum = spread.lines[i].drum;
     if (drum && line.first_segment_length > *drum) {
       list.push_back(Finding{FindingCode::drum_length_exceeded,
-                             fmt::format("{} has {:.1f} m out, more than the {:.1f} m that its winch's drum holds.",
-                                         head, line.first_segment_length, *drum)}
+                             fmt::format("{} has {} out, more than the {} that its winch's drum holds.", head,
+                                         shown(line.first_segment_length, "m", 1), shown(*drum, "m", 1))}
                          .on("mooring line " + line.name)
                          .with("length", line.first_segment_length, "m"));
     }

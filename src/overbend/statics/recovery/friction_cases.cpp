@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/shown_unit.h"
 #include "statics/recovery/recovery.h"
 #include "statics/solver/steady_laying.h"
 
@@ -111,9 +112,8 @@ void find_friction_cases(const Model& model, const StaticSolution& solution, Sta
     }
     const StaticResults found = recover_state(with, *outcome.solution);
     if (pushed(found)) {
-      warn(
-          fmt::format("left out: friction would push the pipe to {:.0f} kN at touchdown, more than the tensioner holds",
-                      1e-3 * found.bottom_tension));
+      warn(fmt::format("left out: friction would push the pipe to {} at touchdown, more than the tensioner holds",
+                       shown(found.bottom_tension, "N", 0)));
       continue;
     }
     for (const Finding& finding : found.findings) {  // what else there is stands in the limit's row

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "base/version.h"
 #include "mechanics/ground.h"
 #include "model/model_findings.h"
@@ -89,9 +90,9 @@ void warn_of_fold(const std::string& name, const LineMesh& mesh, const std::vect
   if (!at) return;
   findings.push_back(
       Finding{FindingCode::element_folded,
-              fmt::format("line \"{}\": an element is folded {:.1f} m from its first end: tension and shape are not "
-                          "those of a line; give its ends a direction, or shorter elements (lines[].element)",
-                          name, *at)}
+              fmt::format("line \"{}\": an element is folded {} from its first end: tension and shape are not those of "
+                          "a line; give its ends a direction, or shorter elements (lines[].element)",
+                          name, shown(*at, "m", 1))}
           .on("line " + name));
 }
 
@@ -107,8 +108,8 @@ void warn(const FreeLineDescription& description, const LineResult& line, bool i
   if (line.least_tension < -kPushed * std::abs(line.weight)) {
     findings.push_back(Finding{
         FindingCode::line_compressed,
-        fmt::format("line \"{}\": slack, it is pushed with up to {:.3g} kN: a line that bends aside has other tensions",
-                    line.name, -1e-3 * line.least_tension)}
+        fmt::format("line \"{}\": slack, it is pushed with up to {}: a line that bends aside has other tensions",
+                    line.name, shown_digits(-line.least_tension, "N", 3))}
                            .on("line " + line.name)
                            .with("tension", line.least_tension, "N"));
   }
@@ -122,7 +123,7 @@ void warn(const FreeLineDescription& description, const LineResult& line, bool i
     if (end->kind == LineEndKind::bed && result->force.z() < -1e-3 * result->tension) {
       findings.push_back(Finding{
           FindingCode::seabed_end_lifted,
-          fmt::format("line \"{}\": pulls its end on the bed up with {:.1f} kN", line.name, -1e-3 * result->force.z())}
+          fmt::format("line \"{}\": pulls its end on the bed up with {}", line.name, shown(-result->force.z(), "N", 1))}
                              .on("line " + line.name)
                              .with("uplift", -result->force.z(), "N"));
     }

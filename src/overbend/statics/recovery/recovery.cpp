@@ -1,5 +1,6 @@
 #include "statics/recovery/recovery.h"
 
+#include "base/shown_unit.h"
 #include "statics/recovery/recovery_parts.h"
 
 #include <fmt/format.h>
@@ -309,11 +310,10 @@ void warn_of_roll(StaticResults& results) {
   results.findings.push_back(Finding{
       FindingCode::residual_curvature,
       fmt::format(
-          "the pipe has yielded over the supports and reaches touchdown with a residual curvature of {:.5f} 1/m; "
+          "the pipe has yielded over the supports and reaches touchdown with a residual curvature of {}; "
           "a real pipe rolls until this curvature is favourable, the model does not, so the bending moments of the "
-          "sagbend "
-          "are an upper bound",
-          results.residual_curvature)}
+          "sagbend are an upper bound",
+          shown(results.residual_curvature, "1/m", 5))}
                                  .on("pipe")
                                  .with("curvature", results.residual_curvature, "1/m"));
 }

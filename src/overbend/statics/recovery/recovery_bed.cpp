@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "mechanics/rod_element.h"
 #include "model/site/bed_shape.h"
 #include "statics/equations/bed_contacts.h"
@@ -157,32 +158,30 @@ void warn_of_uneven_bed(const Model& model, StaticResults& results) {
     results.findings.push_back(Finding{
         FindingCode::free_spans,
         fmt::format(
-            "the laid pipe has {} free span{}: the longest is {:.1f} m, from {:.1f} m astern of the stern shoe, "
-            "with a gap of {:.2f} m",
-            spans.size(), spans.size() == 1 ? "" : "s", longest.length, longest.x_from, longest.largest_gap)}
+            "the laid pipe has {} free span{}: the longest is {}, from {} astern of the stern shoe, with a gap of {}",
+            spans.size(), spans.size() == 1 ? "" : "s", shown(longest.length, "m", 1), shown(longest.x_from, "m", 1),
+            shown(longest.largest_gap, "m", 2))}
                                    .on("pipe")
                                    .with("length", longest.length, "m")
                                    .with("gap", longest.largest_gap, "m"));
   }
   if (results.bed->hogging_moment > std::abs(results.sagbend.bending_moment.value)) {
-    results.findings.push_back(Finding{
-        FindingCode::moment_over_crest,
-        fmt::format(
-            "the seabed bends the laid pipe more than the sagbend: {:.0f} kNm hogging over the crest at {:.1f} m "
-            "astern of the stern shoe, {:.0f} kNm in the sagbend",
-            1e-3 * results.bed->hogging_moment, results.bed->hogging_x,
-            1e-3 * std::abs(results.sagbend.bending_moment.value))}
-                                   .on("pipe")
-                                   .with("moment", results.bed->hogging_moment, "N m"));
+    results.findings.push_back(
+        Finding{FindingCode::moment_over_crest,
+                fmt::format("the seabed bends the laid pipe more than the sagbend: {} hogging over the crest at {} "
+                            "astern of the stern shoe, {} in the sagbend",
+                            shown(results.bed->hogging_moment, "N m", 0), shown(results.bed->hogging_x, "m", 1),
+                            shown(std::abs(results.sagbend.bending_moment.value), "N m", 0))}
+            .on("pipe")
+            .with("moment", results.bed->hogging_moment, "N m"));
   }
   const BedShape& shape = *model.seabed.surface.shape();
   const bool leaves = std::ranges::any_of(
       results.stations, [&](const Station& at) { return at.s <= results.touchdown.s && outside(shape, at.p_W); });
   if (leaves) {
-    results.findings.push_back(
-        {FindingCode::outside_bathymetry,
-         "the laid pipe leaves the area of environment.seabed.bathymetry; the depth beyond its edge is that of the "
-         "edge"});
+    results.findings.push_back({FindingCode::outside_bathymetry,
+                                "the laid pipe leaves the area of environment.seabed.bathymetry; the depth beyond its "
+                                "edge is that of the edge"});
   }
 }
 

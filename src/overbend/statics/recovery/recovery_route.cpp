@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "mechanics/ground.h"
 #include "mechanics/quadrature.h"
 #include "mechanics/rod_element.h"
@@ -48,21 +49,20 @@ void warn(StaticResults& results, const Model& model, const LayRoute& drawn) {
   const RouteResults& route = *results.route;
   const double far_offset = drawn.offset(results.anchor_W);
   if (drawn.straight() && lays_steadily(model) && std::abs(route.laid_offset - far_offset) > kMiss) {
-    results.findings.push_back(Finding{
-        FindingCode::steady_laying_not_found,
-        fmt::format("steady laying: no line was found on which the pipe comes to rest; it touches down {:.2f} m beside "
-                    "the line on which it lies, as a pipe that is pulled across after it was laid",
-                    std::abs(route.laid_offset - far_offset))}
-                                   .with("offset", std::abs(route.laid_offset - far_offset), "m"));
+    results.findings.push_back(
+        Finding{FindingCode::steady_laying_not_found,
+                fmt::format("steady laying: no line was found on which the pipe comes to rest; it touches down {} "
+                            "beside the line on which it lies, as a pipe that is pulled across after it was laid",
+                            shown(std::abs(route.laid_offset - far_offset), "m", 2))}
+            .with("offset", std::abs(route.laid_offset - far_offset), "m"));
   }
   if (!route.holds) {
     results.findings.push_back(Finding{
         FindingCode::route_not_held,
-        fmt::format("the route does not hold: its bend has a radius of {:.0f} m, bottom tension and lateral friction "
-                    "hold {}; the "
-                    "pipe has slid sideways over {:.0f} m of its length and lies up to {:.2f} m off the route",
-                    route.radius, route.least_radius > 0.0 ? fmt::format("{:.0f} m", route.least_radius) : "none",
-                    route.slid_length, std::abs(route.largest_offset))}
+        fmt::format("the route does not hold: its bend has a radius of {}, bottom tension and lateral friction hold "
+                    "{}; the pipe has slid sideways over {} of its length and lies up to {} off the route",
+                    shown(route.radius, "m", 0), route.least_radius > 0.0 ? shown(route.least_radius, "m", 0) : "none",
+                    shown(route.slid_length, "m", 0), shown(std::abs(route.largest_offset), "m", 2))}
                                    .with("radius", route.radius, "m")
                                    .with("slid_length", route.slid_length, "m"));
   }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/constants.h"
+#include "base/shown_unit.h"
 #include "statics/stinger/stinger_rest.h"
 
 namespace overbend {
@@ -100,12 +101,12 @@ std::string called(const StingerSectionResult& section) {
 
 void warn_of(StaticResults& results, const StingerSectionResult& section, bool touched) {
   if (section.at_stop) {
-    results.findings.push_back(
-        Finding{FindingCode::stinger_at_stop,
-                fmt::format("{} lies at its {} stop, which carries {:.0f} kN m", called(section),
-                            section.stop_moment < 0.0 ? "lower" : "upper", 1e-3 * std::abs(section.stop_moment))}
-            .on(called(section))
-            .with("moment", section.stop_moment, "N m"));
+    results.findings.push_back(Finding{
+        FindingCode::stinger_at_stop,
+        fmt::format("{} lies at its {} stop, which carries {}", called(section),
+                    section.stop_moment < 0.0 ? "lower" : "upper", shown(std::abs(section.stop_moment), "N m", 0))}
+                                   .on(called(section))
+                                   .with("moment", section.stop_moment, "N m"));
   }
   if (section.floats && !touched) {
     results.findings.push_back(

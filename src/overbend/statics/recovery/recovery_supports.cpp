@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/constants.h"
+#include "base/shown_unit.h"
 #include "mechanics/contact_damage.h"
 #include "model/box_dip.h"
 #include "model/vessel/fitted_circle.h"
@@ -197,9 +198,9 @@ void note_runoff(StaticResults& results, const SupportResult& box) {
     for (const RollerResult& roller : row.rollers) {
       if (roller.off_end > 0.0 && roller.reaction > 0.0) {
         results.findings.push_back(
-            Finding{FindingCode::pipe_at_roller_end,
-                    "the pipe runs off the end of a roller: " + box.name + ", " + word(roller.position) +
-                        " roller, by " + std::to_string(static_cast<int>(std::lround(1e3 * roller.off_end))) + " mm"}
+            Finding{FindingCode::pipe_at_roller_end, "the pipe runs off the end of a roller: " + box.name + ", " +
+                                                         word(roller.position) + " roller, by " +
+                                                         shown(roller.off_end, section_length(), 0)}
                 .on(box.name)
                 .with("distance", roller.off_end, "m"));
       }
@@ -223,14 +224,13 @@ struct BoxesLeft {
     if (first.empty()) return;
     results.findings.push_back(Finding{
         FindingCode::pipe_off_rollers,
-        fmt::format("the pipe has left '{}'{} over the side to {}: it lies up to {:.2f} m beyond the ends of the "
-                    "bottom rollers, "
-                    "which no longer hold it{}",
-                    first, more > 0 ? fmt::format(" and {} more box{}", more, more > 1 ? "es" : "") : "", side, beside,
+        fmt::format("the pipe has left '{}'{} over the side to {}: it lies up to {} beyond the ends of the bottom "
+                    "rollers, which no longer hold it{}",
+                    first, more > 0 ? fmt::format(" and {} more box{}", more, more > 1 ? "es" : "") : "", side,
+                    shown(beside, "m", 2),
                     2 * (more + 1) > static_cast<int>(results.supports.size())
                         ? ". No equilibrium was found on most of its rollers: this is hardly the lay that is meant, "
-                          "and a run may "
-                          "depart from it; check tension, current and the places of the boxes"
+                          "and a run may depart from it; check tension, current and the places of the boxes"
                         : "")}
                                    .on(first)
                                    .with("distance", beside, "m")

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "statics/solver/anchored_lay.h"
 #include "statics/solver/static_start.h"
 
@@ -21,19 +22,18 @@ void warn_of_missed_target(StaticResults& results, const Model& model) {
     if (std::abs(results.top_tension - wanted) > kWorthSaying * wanted) {
       results.findings.push_back(Finding{
           FindingCode::tension_target_missed,
-          fmt::format("the tension at the tensioner is {:.2f} kN, {:.2f} kN was specified: the elements are too long "
-                      "for such a "
+          fmt::format("the tension at the tensioner is {}, {} was specified: the elements are too long for such a "
                       "sharp bend; look for a box off the line of the pipe, or reduce analysis.mesh.overbend_element",
-                      1e-3 * results.top_tension, 1e-3 * wanted)}
+                      shown(results.top_tension, "N", 2), shown(wanted, "N", 2))}
                                      .on("tensioner")
                                      .with("tension", results.top_tension, "N"));
     }
   } else if (d.pipe.anchor) {
     const double wanted = *d.pipe.anchor, reached = results.stations.front().astern;
     if (std::abs(reached - wanted) > kWorthSaying * std::abs(wanted)) {
-      results.findings.push_back(Finding{
-          FindingCode::anchor_target_missed,
-          fmt::format("the anchor is {:.2f} m astern of the stern shoe, {:.2f} m was specified", reached, wanted)}
+      results.findings.push_back(Finding{FindingCode::anchor_target_missed,
+                                         fmt::format("the anchor is {} astern of the stern shoe, {} was specified",
+                                                     shown(reached, "m", 2), shown(wanted, "m", 2))}
                                      .with("distance", reached, "m"));
     }
   }
@@ -62,9 +62,9 @@ void note_sensitive_tension(StaticResults& results, const Model& model, const St
   const double change = std::abs(*slope) * kLength;
   results.assumptions.push_back(
       {AssumptionRank::other, fmt::format("the tension follows from pipe.length and pipe.anchor, which are taken as "
-                                          "exact: an error of 10 mm in either "
-                                          "changes the tension by {:.3g} kN ({:.2g} %)",
-                                          1e-3 * change, 100.0 * change / results.top_tension)});
+                                          "exact: an error of {} in either changes the tension by {} ({:.2g} %)",
+                                          shown_digits(kLength, section_length(), 3), shown_digits(change, "N", 3),
+                                          100.0 * change / results.top_tension)});
 }
 
 }  // namespace overbend

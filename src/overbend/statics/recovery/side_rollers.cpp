@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "model/vessel/station.h"
 
 namespace overbend {
@@ -20,7 +21,7 @@ std::optional<Finding> find_side_roller_contact(const Description& description, 
   for (const SupportResult& support : results.supports) {
     if (!support.has_sides || std::abs(support.lateral) <= kBears) continue;
     boxes +=
-        fmt::format("{}'{}' ({:.1f} kN)", boxes.empty() ? "" : ", ", support.name, 1e-3 * std::abs(support.lateral));
+        fmt::format("{}'{}' ({})", boxes.empty() ? "" : ", ", support.name, shown(std::abs(support.lateral), "N", 1));
   }
   if (boxes.empty()) return std::nullopt;
   return Finding{FindingCode::other_equilibrium_possible,

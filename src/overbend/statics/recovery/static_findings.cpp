@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "base/constants.h"
+#include "base/shown_unit.h"
 #include "model/lay_stage.h"
 #include "model/material_words.h"
 #include "results/regions.h"
@@ -20,9 +21,9 @@ void warn_of_slack(Findings& list, const StaticResults& results) {
   if (results.smallest_tension.value >= 0.0) return;
   list.push_back(Finding{
       FindingCode::compression,
-      fmt::format("compression: the effective tension falls to {:.2f} kN {}; a pipe in compression may buckle, which "
-                  "the model represents only as far as its mesh allows",
-                  1e-3 * results.smallest_tension.value, pipe_place(results, results.smallest_tension.s))}
+      fmt::format("compression: the effective tension falls to {} {}; a pipe in compression may buckle, which the "
+                  "model represents only as far as its mesh allows",
+                  shown(results.smallest_tension.value, "N", 2), pipe_place(results, results.smallest_tension.s))}
                      .on("pipe")
                      .at_place(results.total_length - results.smallest_tension.s)
                      .with("effective_tension", results.smallest_tension.value, "N"));
@@ -41,10 +42,9 @@ void warn_of_yield(Findings& list, const Model& model, const StaticResults& resu
   if (worst == nullptr) return;
   list.push_back(Finding{
       FindingCode::yield_with_linear_steel,
-      fmt::format("the von Mises stress of {:.0f} MPa {} exceeds the yield stress of {:.0f} MPa; the steel is linear "
-                  "elastic here, "
-                  "so stress and moment beyond yield are those of a pipe that does not yield (see pipe.steel.material)",
-                  1e-6 * worst->von_mises, pipe_place(results, worst->s), 1e-6 * worst->yield_stress)}
+      fmt::format("the von Mises stress of {} {} exceeds the yield stress of {}; the steel is linear elastic here, so "
+                  "stress and moment beyond yield are those of a pipe that does not yield (see pipe.steel.material)",
+                  shown(worst->von_mises, "Pa", 0), pipe_place(results, worst->s), shown(worst->yield_stress, "Pa", 0))}
                      .on("pipe")
                      .at_place(results.total_length - worst->s)
                      .with("von_mises", worst->von_mises, "Pa"));
@@ -75,13 +75,11 @@ void warn_of_strain_beside_stiff_stretches(Findings& list, const Model& model, c
     if (!concentrates || span.section == model.coated || section.EI < 1.05 * pipe.EI) continue;
     const double strain = max_strain_beside(results, span, pipe.outer_diameter);
     if (strain <= pipe.yield_stress / pipe.youngs_modulus) continue;
-    list.push_back(Finding{
-        FindingCode::strain_next_to_stiff_section,
-        fmt::format(
-            "the strain of {:.3f} % beside '{}' is too low: the pipe there yields, and on its way over the supports "
-            "the "
-            "stiffer stretch has bent it more than this one place shows; solve its passage (operation.type: passage)",
-            100.0 * strain, section.name)}
+    list.push_back(Finding{FindingCode::strain_next_to_stiff_section,
+                           fmt::format("the strain of {:.3f} % beside '{}' is too low: the pipe there yields, and on "
+                                       "its way over the supports the stiffer stretch has bent it more than this one "
+                                       "place shows; solve its passage (operation.type: passage)",
+                                       100.0 * strain, section.name)}
                        .on(section.name)
                        .with("strain", strain, "1"));
   }
@@ -115,13 +113,12 @@ void warn_of_bed(Findings& list, const Model& model) {
 void warn_of_shoe(Findings& list, const Model& model) {
   const double height = point_from_ramp(model, model.mean_pose, Vec3::Zero()).z();
   if (height >= 0.0) return;
-  list.push_back(
-      Finding{FindingCode::stern_shoe_below_water,
-              fmt::format("the stern shoe is {:.2f} m below the water; ramp and stinger depend on it, so check "
-                          "vessel.stern_shoe.z, the trim and the draught",
-                          -height)}
-          .on("vessel")
-          .with("depth", -height, "m"));
+  list.push_back(Finding{FindingCode::stern_shoe_below_water,
+                         fmt::format("the stern shoe is {} below the water; ramp and stinger depend on it, so check "
+                                     "vessel.stern_shoe.z, the trim and the draught",
+                                     shown(-height, "m", 2))}
+                     .on("vessel")
+                     .with("depth", -height, "m"));
 }
 
 /// A clamped tensioner that does not point towards the first box.
@@ -134,15 +131,13 @@ void warn_of_incline(Findings& list, const Model& model) {
   const SteelDescription& steel = model.description_of(static_cast<std::size_t>(model.section_at(0.0))).steel;
   const double yields_at = 2.0 * steel.yield_stress / (steel.youngs_modulus * steel.outside_diameter);
   if (std::abs(off) < 5.0 * kDegree || bend < 1.5 * yields_at) return;
-  list.push_back(
-      Finding{FindingCode::tensioner_incline,
-              fmt::format("the tensioner holds the pipe at {:.1f} deg while the first box lies {:.1f} deg {} it: check "
-                          "tensioner.incline "
-                          "and the place of the tensioner",
-                          tensioner.incline * kToDegrees, std::abs(std::atan2(dz, dx)) * kToDegrees,
-                          dz < 0.0 ? "below" : "above")}
-          .on("tensioner")
-          .with("angle", off, "rad"));
+  list.push_back(Finding{FindingCode::tensioner_incline,
+                         fmt::format("the tensioner holds the pipe at {:.1f} deg while the first box lies {:.1f} deg "
+                                     "{} it: check tensioner.incline and the place of the tensioner",
+                                     tensioner.incline * kToDegrees, std::abs(std::atan2(dz, dx)) * kToDegrees,
+                                     dz < 0.0 ? "below" : "above")}
+                     .on("tensioner")
+                     .with("angle", off, "rad"));
 }
 
 /// Concrete that stops at the field joints makes the pipe bend most there.
@@ -152,11 +147,10 @@ void warn_of_field_joints(Findings& list, const Model& model) {
   if (!pipe.joint || pipe.joint->field_joint <= 0.0) return;
   if (pipe.coatings.empty() || pipe.coatings.back().weight_density < kConcrete) return;
   if (pipe.joint->strain_factor || pipe.joint->coated_stiffness > 1.0) return;
-  list.push_back(Finding{
-      FindingCode::field_joint_strain_missing,
-      "the strain concentration at the field joints is missing: the coating between them stiffens the pipe and "
-      "concentrates strain at the joints, but neither pipe.joint.strain_factor nor pipe.joint.coated_stiffness is "
-      "given; the strain checks use a factor of 1"}
+  list.push_back(Finding{FindingCode::field_joint_strain_missing,
+                         "the strain concentration at the field joints is missing: the coating between them stiffens "
+                         "the pipe and concentrates strain at the joints, but neither pipe.joint.strain_factor nor "
+                         "pipe.joint.coated_stiffness is given; the strain checks use a factor of 1"}
                      .on("pipe"));
 }
 
@@ -167,13 +161,14 @@ void warn_of_structures_beyond(Findings& list, const Model& model, const StaticR
     if (!structure.at) continue;
     const double middle = *structure.at + pipe_gone(model.description), half = 0.5 * structure.length;
     if (middle + half < end) continue;
-    list.push_back(Finding{FindingCode::structure_beyond_end,
-                           fmt::format("the structure '{}' (at: {:.6g} m) {}{}", structure.name, *structure.at,
-                                       middle - half < end ? "reaches beyond the end of the line, where it is cut off"
-                                                           : "lies beyond the end of the line, which has nothing of it",
-                                       end < last ? "; a pipe.length that reaches further keeps it in"
-                                                  : ": the pipe ends before it at its head")}
-                       .on(structure.name));
+    list.push_back(
+        Finding{FindingCode::structure_beyond_end,
+                fmt::format("the structure '{}' (at: {}) {}{}", structure.name, shown_digits(*structure.at, "m", 6),
+                            middle - half < end ? "reaches beyond the end of the line, where it is cut off"
+                                                : "lies beyond the end of the line, which has nothing of it",
+                            end < last ? "; a pipe.length that reaches further keeps it in"
+                                       : ": the pipe ends before it at its head")}
+            .on(structure.name));
   }
 }
 
@@ -185,14 +180,14 @@ void warn_of_slope(Findings& list, const Model& model, const StaticResults& resu
   const Vec3 along = Vec3(to.x() - from.x(), to.y() - from.y(), 0.0).normalized();
   const double fall = -bed.slope(to.x(), to.y(), along), friction = model.seabed.friction_axial;
   if (std::abs(fall) <= std::max(friction, 1e-6)) return;
-  list.push_back(
-      Finding{FindingCode::laid_pipe_slides,
-              fmt::format("the laid pipe slides on its bed, which {} astern by {:.3g} deg: axial friction of {:.3g} "
-                          "does not hold it, so "
-                          "that its tension depends on where its far end is held (environment.seabed.friction.axial)",
-                          fall > 0.0 ? "falls" : "rises", std::abs(std::atan(fall)) / kDegree, friction)}
-          .on("pipe")
-          .with("slope", std::atan(fall), "rad"));
+  list.push_back(Finding{
+      FindingCode::laid_pipe_slides,
+      fmt::format(
+          "the laid pipe slides on its bed, which {} astern by {:.3g} deg: axial friction of {:.3g} does not hold it, "
+          "so that its tension depends on where its far end is held (environment.seabed.friction.axial)",
+          fall > 0.0 ? "falls" : "rises", std::abs(std::atan(fall)) / kDegree, friction)}
+                     .on("pipe")
+                     .with("slope", std::atan(fall), "rad"));
 }
 
 /// A bed that rises out of the water where the pipe lies on it. Stations run from the anchor.
@@ -206,10 +201,9 @@ void warn_of_land(Findings& list, const Model& model, const StaticResults& resul
   const bool whole = bed.height(results.touchdown.p_W.x(), results.touchdown.p_W.y()) > 0.0;
   list.push_back(Finding{
       FindingCode::seabed_above_water,
-      fmt::format("the seabed leaves the water under the laid pipe, which {} from {:.1f} m astern of the stern shoe "
-                  "on: is the slope, "
-                  "or the depth of the file, of the right sign?",
-                  whole ? "touches down on land and lies there" : "lies on land", landmost->astern)}
+      fmt::format("the seabed leaves the water under the laid pipe, which {} from {} astern of the stern shoe on: is "
+                  "the slope, or the depth of the file, of the right sign?",
+                  whole ? "touches down on land and lies there" : "lies on land", shown(landmost->astern, "m", 1))}
                      .on("pipe")
                      .with("distance", landmost->astern, "m"));
 }
@@ -217,7 +211,8 @@ void warn_of_land(Findings& list, const Model& model, const StaticResults& resul
 }  // namespace
 
 std::string pipe_place(const StaticResults& results, double s) {
-  return fmt::format("{:.1f} m from the tensioner ({})", results.total_length - s, word(regions(results).of(s)));
+  return fmt::format("{} from the tensioner ({})", shown(results.total_length - s, "m", 1),
+                     word(regions(results).of(s)));
 }
 
 Findings lay_findings(const Model& model) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/shown_unit.h"
 #include "model/lay_stage.h"
 #include "statics/solver/static_start.h"
 
@@ -152,23 +153,23 @@ class AnchorSearch {
     const bool low_solved = low_ && low_->miss, high_solved = high_ && high_->miss;
     if (high_solved && low_ && !low_solved) {
       return {"the anchor is too near", "the far end",
-              fmt::format("pipe.anchor is {:.6g} m; with pipe.length of {:.6g} m the bottom tension falls to zero at "
-                          "{:.6g} m, and nearer the pipe is in compression at the seabed: give a larger distance or "
-                          "less length",
-                          anchor, length, anchor + *high_->miss)};
+              fmt::format("pipe.anchor is {}; with pipe.length of {} the bottom tension falls to zero at {}, and "
+                          "nearer the pipe is in compression at the seabed: give a larger distance or less length",
+                          shown_digits(anchor, "m", 6), shown_digits(length, "m", 6),
+                          shown_digits(anchor + *high_->miss, "m", 6))};
     }
     if (low_solved && high_ && !high_solved) {
-      return {
-          "the anchor is too far", "the far end",
-          fmt::format("pipe.anchor is {:.6g} m; with pipe.length of {:.6g} m the line touches the seabed only up to "
-                      "{:.6g} m: give a smaller distance or more length",
-                      anchor, length, anchor + *low_->miss)};
+      return {"the anchor is too far", "the far end",
+              fmt::format("pipe.anchor is {}; with pipe.length of {} the line touches the seabed only up to {}: give a "
+                          "smaller distance or more length",
+                          shown_digits(anchor, "m", 6), shown_digits(length, "m", 6),
+                          shown_digits(anchor + *low_->miss, "m", 6))};
     }
     if (low_solved && high_solved) {
       return {"no equilibrium found with the far end at the anchor", "the far end",
-              fmt::format("at a tension of {:.6g} kN the far end jumps from {:.6g} m to {:.6g} m, past pipe.anchor of "
-                          "{:.6g} m",
-                          1e-3 * low_->tension, anchor + *low_->miss, anchor + *high_->miss, anchor)};
+              fmt::format("at a tension of {} the far end jumps from {} to {}, past pipe.anchor of {}",
+                          shown_digits(low_->tension, "N", 6), shown_digits(anchor + *low_->miss, "m", 6),
+                          shown_digits(anchor + *high_->miss, "m", 6), shown_digits(anchor, "m", 6))};
     }
     return failure_.value_or(StaticFailure{"no equilibrium found with the far end at the anchor", "the far end", ""});
   }

@@ -7,6 +7,9 @@
 #include <limits>
 #include <set>
 
+#include "base/shown_unit.h"
+#include "model/site/bed_shape.h"
+
 #include "model/lay_stage.h"
 #include "model/site/bed_shape.h"
 #include "statics/equations/touchdown.h"
@@ -19,18 +22,17 @@ namespace {
 
 StaticFailure floats(const Section& pipe) {
   return {"the pipe floats", "the whole line",
-          fmt::format("its submerged weight is {:.4g} N/m; a pipe is laid on the seabed only if that is positive: add "
+          fmt::format("its submerged weight is {}; a pipe is laid on the seabed only if that is positive: add "
                       "weight coating",
-                      pipe.weight_submerged)};
+                      shown_digits(pipe.weight_submerged, line_weight_unit(), 4))};
 }
 
 StaticFailure too_little_tension(double tension, double least) {
   return {"the tension is too low to carry the pipe",
           "at the tensioner",
-          fmt::format(
-              "tension {:.1f} kN is below the suspended weight between tensioner and seabed, {:.1f} kN (weight in air "
-              "above the water, submerged weight below); at a lower tension the pipe is in compression at the seabed",
-              1e-3 * tension, 1e-3 * least),
+          fmt::format("tension {} is below the suspended weight between tensioner and seabed, {} (weight in air above "
+                      "the water, submerged weight below); at a lower tension the pipe is in compression at the seabed",
+                      shown(tension, "N", 1), shown(least, "N", 1)),
           false,
           {},
           FailureKind::tension_too_low};
@@ -122,8 +124,8 @@ std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZon
                                          "position of a box in the wrong unit"
                                        : "use longer elements, or omit the key";
   return StaticFailure{"the mesh is too fine", key,
-                       fmt::format("a line of {:.0f} m would have {} elements, at most {} are computed; {}",
-                                   zones.total, count, kMostElements, mend),
+                       fmt::format("a line of {} would have {} elements, at most {} are computed; {}",
+                                   shown(zones.total, "m", 0), count, kMostElements, mend),
                        true};
 }
 
@@ -156,14 +158,12 @@ std::optional<StaticFailure> pulled_beyond_yield(const Model& model) {
                wall = tension + section.internal_pressure * section.internal_area;
   const double yield_load = section.yield_stress * section.steel_area;
   if (wall < yield_load) return std::nullopt;
-  return StaticFailure{
-      "the tension exceeds the yield load of the pipe", "at the tensioner",
-      fmt::format(
-          "{:.6g} kN (tensioner.tension{}) is {:.2f} times the yield load of section '{}', {:.6g} kN (yield stress "
-          "times steel area); the steel law covers bending of a pipe that tension alone does not yield: check the "
-          "tension and its unit",
-          1e-3 * wall, wall > tension ? " with the internal pressure" : "", wall / yield_load, section.name,
-          1e-3 * yield_load)};
+  return StaticFailure{"the tension exceeds the yield load of the pipe", "at the tensioner",
+                       fmt::format("{} (tensioner.tension{}) is {:.2f} times the yield load of section '{}', {} (yield "
+                                   "stress times steel area); the steel law covers bending of a pipe that tension "
+                                   "alone does not yield: check the tension and its unit",
+                                   shown_digits(wall, "N", 6), wall > tension ? " with the internal pressure" : "",
+                                   wall / yield_load, section.name, shown_digits(yield_load, "N", 6))};
 }
 
 /// What no shape is needed for to be seen.
@@ -172,11 +172,11 @@ std::optional<StaticFailure> impossible(const Model& model, const LayPlane& plan
   if (pipe.weight_submerged <= 0.0) return floats(pipe);
   const SeabedDescription& bed = model.description.environment.seabed;
   if (bed.soil == SoilModel::hyperbolic && pipe.weight_submerged >= bed.bearing_force.value_or(0.0)) {
-    return StaticFailure{
-        "the seabed does not carry the pipe", "the laid pipe",
-        fmt::format("its submerged weight of {:.4g} N/m is not below the bearing force of the soil, {:.4g} "
-                    "N/m (environment.seabed.soil)",
-                    pipe.weight_submerged, bed.bearing_force.value_or(0.0))};
+    return StaticFailure{"the seabed does not carry the pipe", "the laid pipe",
+                         fmt::format("its submerged weight of {} is not below the bearing force of the soil, "
+                                     "{} (environment.seabed.soil)",
+                                     shown_digits(pipe.weight_submerged, line_weight_unit(), 4),
+                                     shown_digits(bed.bearing_force.value_or(0.0), line_weight_unit(), 4))};
   }
   if (plane.tensioner_W.z() <= plane.bed(0.0)) {
     return StaticFailure{"the tensioner is below the seabed", "at the tensioner", "check water depth and tensioner.z"};
@@ -344,7 +344,7 @@ std::optional<std::string> box_above_pipe(const Model& model, const StaticSystem
 }
 
 std::string off_end_words(const BoxLeft& left) {
-  return fmt::format("{:.2f} m off the end of its roller{}", left.off_end,
+  return fmt::format("{} off the end of its roller{}", shown(left.off_end, "m", 2),
                      left.sided ? "" : "; that box has no side rollers to hold it");
 }
 
@@ -359,10 +359,9 @@ std::optional<StaticFailure> check_supports(const Model& model, const StaticSyst
                          fmt::format("no roller carries it: it is in equilibrium beside its supports, at '{}' {}",
                                      left->name, off_end_words(*left))};
   }
-  return StaticFailure{
-      "the pipe lifts off every support", "ramp and stinger",
-      "it hangs clear of all rollers from the tensioner to the seabed: the tension is too high for this depth, or the "
-      "supports are too low"};
+  return StaticFailure{"the pipe lifts off every support", "ramp and stinger",
+                       "it hangs clear of all rollers from the tensioner to the seabed: the tension is too high for "
+                       "this depth, or the supports are too low"};
 }
 
 std::optional<StaticFailure> check_folds(const LineMesh& mesh, const std::vector<double>& q) {
@@ -371,9 +370,9 @@ std::optional<StaticFailure> check_folds(const LineMesh& mesh, const std::vector
     const double* here = q.data() + 6 * node;
     if (Eigen::Map<const Vec3>(before + 3).dot(Eigen::Map<const Vec3>(here + 3)) >= 0.0) continue;
     return StaticFailure{"no equilibrium found: the line is folded", "in the span",
-                         fmt::format("{:.1f} m from the tensioner it turns by more than a right angle within one "
-                                     "element; another tension, or shorter elements (analysis.mesh), may lead past it",
-                                     mesh.total_length() - mesh.s[static_cast<std::size_t>(node)])};
+                         fmt::format("{} from the tensioner it turns by more than a right angle within one element; "
+                                     "another tension, or shorter elements (analysis.mesh), may lead past it",
+                                     shown(mesh.total_length() - mesh.s[static_cast<std::size_t>(node)], "m", 1))};
   }
   return std::nullopt;
 }
@@ -390,10 +389,9 @@ std::optional<StaticFailure> check_above_rollers(const Model& model, const Stati
 StaticFailure compressed_at_seabed(double tension, double least) {
   return {"the tension is too low to carry the pipe",
           "sagbend",
-          fmt::format(
-              "tension {:.6g} kN is below the {:.6g} kN needed with zero bottom tension, for the suspended weight, the "
-              "slope of the seabed and the current; at a lower tension the pipe is in compression at the seabed",
-              1e-3 * tension, 1e-3 * least),
+          fmt::format("tension {} is below the {} needed with zero bottom tension, for the suspended weight, the slope "
+                      "of the seabed and the current; at a lower tension the pipe is in compression at the seabed",
+                      shown_digits(tension, "N", 6), shown_digits(least, "N", 6)),
           false,
           {},
           FailureKind::tension_too_low};
@@ -401,12 +399,13 @@ StaticFailure compressed_at_seabed(double tension, double least) {
 
 StaticFailure never_touches(const Model& model, double length) {
   const std::string given = model.description.pipe.length ? "pipe.length" : "the length tried";
-  return {"the pipe does not reach the seabed",
-          "sagbend",
-          fmt::format("{} of {:.0f} m ends before touchdown: give more length, or less tension", given, length),
-          false,
-          {},
-          FailureKind::no_touchdown};
+  return {
+      "the pipe does not reach the seabed",
+      "sagbend",
+      fmt::format("{} of {} ends before touchdown: give more length, or less tension", given, shown(length, "m", 0)),
+      false,
+      {},
+      FailureKind::no_touchdown};
 }
 
 }  // namespace overbend

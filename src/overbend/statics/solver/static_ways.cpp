@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/shown_unit.h"
 #include "mechanics/plastic_bending.h"
 #include "model/lay_stage.h"
 #include "statics/initial_shape/stage_shape.h"
@@ -452,10 +453,9 @@ std::string most_bent(StaticCase& at) {
   }
   const std::string box = box_at(at, worst);
   return fmt::format(
-      "{:.1f} m from the tensioner{} pipe of linear steel would bend to {:.1f} times the curvature of first "
-      "yield",
-      mesh.total_length() - mesh.s[static_cast<std::size_t>(worst)], box.empty() ? "" : ", at box '" + box + "',",
-      ratio);
+      "{} from the tensioner{} pipe of linear steel would bend to {:.1f} times the curvature of first yield",
+      shown(mesh.total_length() - mesh.s[static_cast<std::size_t>(worst)], "m", 1),
+      box.empty() ? "" : ", at box '" + box + "',", ratio);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "statics/equations/bed_contacts.h"
 #include "statics/equations/touchdown.h"
 #include "statics/solver/anchored_lay.h"
@@ -132,32 +133,30 @@ StaticOutcome fail(StaticFailure failure) {
 StaticOutcome give_up(const StaticCase& at, double hanging) {
   const int node = at.system.singular_node();
   const std::string where = node < 0 ? "the whole line"
-                                     : fmt::format("node {} at s = {:.1f} m from the anchor", node,
-                                                   at.system.mesh().s[static_cast<std::size_t>(node)]);
+                                     : fmt::format("node {} at s = {} from the anchor", node,
+                                                   shown(at.system.mesh().s[static_cast<std::size_t>(node)], "m", 1));
   if (at.least_found > 0.0) {
     return fail(compressed_at_seabed(at.target.value, at.least_found));
   }
   if (!at.yielded.empty()) {
     return fail(
         {"no equilibrium found: the pipe yields", "overbend",
-         fmt::format("with linear steel there is one, with pipe.steel.material none was found: {}; the yielding "
-                     "pipe folds there. A larger radius, a longer stinger or another tension bends it less",
+         fmt::format("with linear steel there is one, with pipe.steel.material none was found: {}; the yielding pipe "
+                     "folds there. A larger radius, a longer stinger or another tension bends it less",
                      at.yielded)});
   }
   const std::string what =
       at.left.empty() ? "no equilibrium found" : "no equilibrium found: the pipe runs off its rollers";
   const std::optional<SupportOutlier> outlier = support_outlier(at.system.model());
-  return fail(
-      {what, where,
-       (outlier ? outlier_words(*outlier) + ". N" : "n") +
-           fmt::format("either Newton's method, nor hardening the rollers, raising the current or lowering the "
-                       "tension in steps, nor dynamic relaxation converged{} (last residual {:.1e} of the line's "
-                       "weight). The tension is "
-                       "{:.2f} times the suspended weight of plain pipe; near 1 the pipe goes into compression at "
-                       "the seabed. Otherwise look for a box far off the curve of its neighbours, or a current too "
-                       "strong for so light a pipe{}",
-                       at.spent() ? " within the limit of computational effort" : "", at.report.force_residual,
-                       at.target.value / hanging, at.left)});
+  return fail({what, where,
+               (outlier ? outlier_words(*outlier) + ". N" : "n") +
+                   fmt::format("either Newton's method, nor hardening the rollers, raising the current or lowering the "
+                               "tension in steps, nor dynamic relaxation converged{} (last residual {:.1e} of the "
+                               "line's weight). The tension is {:.2f} times the suspended weight of plain pipe; near 1 "
+                               "the pipe goes into compression at the seabed. Otherwise look for a box far off the "
+                               "curve of its neighbours, or a current too strong for so light a pipe{}",
+                               at.spent() ? " within the limit of computational effort" : "", at.report.force_residual,
+                               at.target.value / hanging, at.left)});
 }
 
 /// What the state has of what is wanted: of a tension by the balance of the whole line, which says nothing of strains.
@@ -179,11 +178,11 @@ std::optional<StaticFailure> missed(StaticCase& at, const LineTargetValue& wante
     return std::nullopt;
   }
   const bool tension = wanted.kind == LineTargetValue::Kind::top_tension;
-  const double unit = tension ? 1e-3 : 1.0;
+  const char* const unit = tension ? "N" : "m";
   return StaticFailure{tension ? "the set tension is not reached" : "the anchor is not reached", "at the tensioner",
-                       fmt::format("{:.2f} {unit} is specified and {:.2f} {unit} found, although the forces balance: "
-                                   "look for boxes far off the line of the pipe, over which it bends too sharply",
-                                   unit * wanted.value, unit * value, fmt::arg("unit", tension ? "kN" : "m"))};
+                       fmt::format("{} is specified and {} found, although the forces balance: look for boxes far off "
+                                   "the line of the pipe, over which it bends too sharply",
+                                   shown(wanted.value, unit, 2), shown(value, unit, 2))};
 }
 
 /// Whether the axial stiffness steps so near the tensioner that the stretch of the node there is not that of the

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/constants.h"
+#include "base/shown_unit.h"
 
 namespace overbend {
 namespace {
@@ -62,9 +63,9 @@ std::optional<StaticFailure> misplaced_box(const Model& model, const LayPlane& p
     const double far = (points.back() - plane.tensioner_W).norm();
     if (far > kFarthestBox) {
       return StaticFailure{"a box is out of the pipe's reach", fmt::format("box '{}'", box.name),
-                           fmt::format("it is {:.0f} m from the tensioner; ramps and stingers extend no farther than "
-                                       "{:.0f} m: check its x and z, and their units",
-                                       far, kFarthestBox)};
+                           fmt::format("it is {} from the tensioner; ramps and stingers extend no farther than {}: "
+                                       "check its x and z, and their units",
+                                       shown(far, "m", 0), shown(kFarthestBox, "m", 0))};
     }
   }
   const double sharpest = largest_turn(points, points.size());
@@ -78,9 +79,10 @@ std::optional<StaticFailure> misplaced_box(const Model& model, const LayPlane& p
   }
   const SupportBox& box = model.supports.boxes[worst - 1];
   return StaticFailure{"a box is far off the line of its neighbours", fmt::format("box '{}'", box.name),
-                       fmt::format("at x = {:.3f} m, z = {:.3f} m it is {:.1f} m off that line, which turns by {:.0f} "
-                                   "degrees, too sharply for any pipe: check its x and z, and their units",
-                                   box.point_S.x(), box.point_S.z(), off, sharpest * kToDegrees)};
+                       fmt::format("at x = {}, z = {} it is {} off that line, which turns by {:.0f} degrees, too "
+                                   "sharply for any pipe: check its x and z, and their units",
+                                   shown(box.point_S.x(), "m", 3), shown(box.point_S.z(), "m", 3), shown(off, "m", 1),
+                                   sharpest * kToDegrees)};
 }
 
 }  // namespace overbend

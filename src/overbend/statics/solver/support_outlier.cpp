@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/shown_unit.h"
+
 namespace overbend {
 namespace {
 
@@ -87,11 +89,10 @@ std::optional<SupportOutlier> support_outlier(const Model& model) {
 
 std::string outlier_words(const SupportOutlier& outlier) {
   return fmt::format(
-      "{} is {:.2f} m {} the line through its neighbours: a curvature of {:.4f} 1/m, {:.1f} times that at which the "
-      "pipe "
-      "yields; check its z and the sign of its offset",
-      outlier.name, std::abs(outlier.height), outlier.height > 0.0 ? "above" : "below", outlier.curvature,
-      outlier.of_yield);
+      "{} is {} {} the line through its neighbours: a curvature of {}, {:.1f} times that at which the pipe yields; "
+      "check its z and the sign of its offset",
+      outlier.name, shown(std::abs(outlier.height), "m", 2), outlier.height > 0.0 ? "above" : "below",
+      shown(outlier.curvature, "1/m", 4), outlier.of_yield);
 }
 
 }  // namespace overbend

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/constants.h"
+#include "base/shown_unit.h"
 #include "model/vessel/stinger_turn.h"
 
 namespace overbend {
@@ -242,17 +243,15 @@ StaticFailure StingerSearch::failure() const {
   const std::size_t section = floating_[static_cast<std::size_t>(worst)];
   const std::string& name = model_.description.supports.sections[section].name;
   const std::string where = name.empty() ? std::string("the stinger") : "stinger section '" + name + "'";
-  const double angle = now_->angles[worst] / kDegree, moment = 1e-3 * left[worst];
+  const double angle = now_->angles[worst] / kDegree, moment = left[worst];
   if (jumps_) {
     return {"the stinger finds no rest", where,
             fmt::format("near an angle of {:.2f} deg the moment about its hinge jumps from one sign to the other: the "
                         "pipe changes its contacts there",
                         angle)};
   }
-  std::string why = fmt::format(
-      "at an angle of {:.2f} deg a moment of {:.0f} kN m about its hinge still turns the tip "
-      "{}",
-      angle, std::abs(moment), moment > 0.0 ? "down" : "up");
+  std::string why = fmt::format("at an angle of {:.2f} deg a moment of {} about its hinge still turns the tip {}",
+                                angle, shown(std::abs(moment), "N m", 0), moment > 0.0 ? "down" : "up");
   if (pipe_failure_) {
     why += fmt::format(", and beyond that the pipe has no equilibrium ({})", pipe_failure_->what);
   } else {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/interruption.h"
+#include "base/shown_unit.h"
 #include "resultfiles/summary/named_results.h"
 #include "study/stages/stage_choice.h"
 
@@ -114,10 +115,10 @@ void compare_with_statics(const SeekModel& model, SeekOutcome& outcome) {
   const std::optional<double> here = named_result(found.summary, kReaction),
                               there = named_result(alone.summary, kReaction);
   if (!here || !there || std::abs(*here - *there) <= kSame * *here) return;
-  results.remarks.push_back(fmt::format(
-      "solved by itself the model with the answer has another equilibrium, with {:.1f} kN as largest reaction of a "
-      "roller in place of {:.1f} kN: it has several, which differ in the rollers that bear",
-      1e-3 * *there, 1e-3 * *here));
+  results.remarks.push_back(
+      fmt::format("solved by itself the model with the answer has another equilibrium, with {} as largest reaction of "
+                  "a roller in place of {}: it has several, which differ in the rollers that bear",
+                  shown(*there, "N", 1), shown(*here, "N", 1)));
 }
 
 }  // namespace

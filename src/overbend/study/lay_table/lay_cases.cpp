@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/finding.h"
+#include "base/shown_unit.h"
 #include "base/units.h"
 #include "results/findings.h"
 #include "study/lay_table/limit_search.h"
@@ -78,7 +79,7 @@ std::string failure_reason(const LayTableValues& v, const Findings& serious) {
 
 /// Where none passes; with words on what was searched, and what stops it at either end.
 LayCase nearest_to_passing(const std::vector<TriedLay>& tried, const TryLay& try_at) {
-  const auto words = [](double tension) { return format_quantity(tension, "N", "kN", 5); };
+  const auto words = [](double tension) { return shown_digits(tension, "N", 5); };
   const std::string none =
       fmt::format("no tension from {} to {} passes every check", words(tried.front().value), words(tried.back().value));
   const auto first = std::ranges::find_if(tried, [](const TriedLay& at) { return at.lay.lay.has_value(); });

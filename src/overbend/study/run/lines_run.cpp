@@ -7,6 +7,7 @@
 
 #include "base/file_lock.h"
 #include "base/interruption.h"
+#include "base/shown_unit.h"
 #include "checks/run_checks.h"
 #include "dynamics/run/lines_in_time.h"
 #include "dynamics/setup/dynamic_obstacle.h"
@@ -112,32 +113,30 @@ void warn_of_motion(const Model& model, const DynamicOptions& options, LinesResu
     const bool only_pulls =
         std::ranges::none_of(segments, [](const auto& segment) { return bears_compression(segment.type); });
     if (only_pulls && line.least_in_time < kSlack * line.largest_tension) {
-      results.findings.push_back(Finding{
-          FindingCode::line_snaps,
-          fmt::format("line \"{}\": falls slack and snaps tight, with up to {:.3g} kN: how hard hangs on its internal "
-                      "damping, which is taken as 1 % of critical; do not let it fall slack",
-                      line.name, 1e-3 * line.largest_in_time)}
-                                     .on("line " + line.name)
-                                     .with("tension", line.largest_in_time, "N"));
+      results.findings.push_back(
+          Finding{FindingCode::line_snaps,
+                  fmt::format("line \"{}\": falls slack and snaps tight, with up to {}: how hard hangs on its internal "
+                              "damping, which is taken as 1 % of critical; do not let it fall slack",
+                              line.name, shown_digits(line.largest_in_time, "N", 3))}
+              .on("line " + line.name)
+              .with("tension", line.largest_in_time, "N"));
     } else if (line.least_in_time < -kPushed * line.largest_in_time) {
-      results.findings.push_back(Finding{
-          FindingCode::line_compressed,
-          fmt::format(
-              "line \"{}\": falls slack, and where it is pushed bears {:.3g} kN of compression at most: it may buckle, "
-              "which the model represents only as far as its elements allow",
-              line.name, -1e-3 * line.least_in_time)}
-                                     .on("line " + line.name)
-                                     .with("tension", line.least_in_time, "N"));
+      results.findings.push_back(
+          Finding{FindingCode::line_compressed,
+                  fmt::format("line \"{}\": falls slack, and where it is pushed bears {} of compression at most: it "
+                              "may buckle, which the model represents only as far as its elements allow",
+                              line.name, shown_digits(-line.least_in_time, "N", 3))}
+              .on("line " + line.name)
+              .with("tension", line.least_in_time, "N"));
     }
   }
   if (const double leap = line_leap_at_start(model, options); leap > kSmallLeap) {
-    results.findings.push_back(Finding{
-        FindingCode::start_without_build_up,
-        fmt::format(
-            "without build-up an end leaps by {:.3g} m from where statics have it: what rings after t = 0 comes "
-            "from that; give some periods (analysis.dynamic.build_up)",
-            leap)}
-                                   .with("distance", leap, "m"));
+    results.findings.push_back(
+        Finding{FindingCode::start_without_build_up,
+                fmt::format("without build-up an end leaps by {} from where statics have it: what rings after t = 0 "
+                            "comes from that; give some periods (analysis.dynamic.build_up)",
+                            shown_digits(leap, "m", 3))}
+            .with("distance", leap, "m"));
   }
   DynamicResults run;
   run.duration = options.duration;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/constants.h"
+#include "base/shown_unit.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/solver/statics.h"
 #include "study/run/static_run.h"
@@ -87,9 +88,9 @@ bool tower_stands(const NewModel& model) {
 
 std::string leaning(const NewModel& model) {
   return fmt::format(
-      "--lay: with the {:.4g} kN that keep the sagbend within its checks the pipe hangs at {:.0f} degrees "
-      "from horizontal, and no tower is inclined beyond {:.0f}; expected s, or deeper water",
-      1e-3 * model.tension, model.departure_angle / kDegree, kFlattestTower / kDegree);
+      "--lay: with the {} that keep the sagbend within its checks the pipe hangs at {:.0f} degrees from horizontal, "
+      "and no tower is inclined beyond {:.0f}; expected s, or deeper water",
+      shown_digits(model.tension, "N", 4), model.departure_angle / kDegree, kFlattestTower / kDegree);
 }
 
 }  // namespace

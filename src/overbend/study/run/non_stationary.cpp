@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/shown_unit.h"
+
 namespace overbend {
 namespace {
 
@@ -13,10 +15,10 @@ constexpr double kFelt = 0.01;  ///< Length that an end gives way by, as it is w
 std::string happened_to(const MooringLineDynamics& line) {
   if (line.parted_at) return fmt::format("mooring line \"{}\" parted at t = {:.1f} s", line.name, *line.parted_at);
   if (line.anchor_slip > kFelt) {
-    return fmt::format("the anchor of mooring line \"{}\" dragged by {:.2f} m", line.name, line.anchor_slip);
+    return fmt::format("the anchor of mooring line \"{}\" dragged by {}", line.name, shown(line.anchor_slip, "m", 2));
   }
   if (line.brake_rendered > kFelt) {
-    return fmt::format("the brake of mooring line \"{}\" paid out {:.2f} m", line.name, line.brake_rendered);
+    return fmt::format("the brake of mooring line \"{}\" paid out {}", line.name, shown(line.brake_rendered, "m", 2));
   }
   return {};
 }

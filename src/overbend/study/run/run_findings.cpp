@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/constants.h"
+#include "base/shown_unit.h"
 #include "mechanics/sea_range.h"
 #include "model/waves/rao_table.h"
 #include "numerics/record_part.h"
@@ -56,12 +57,11 @@ void warn_of_change(DynamicResults& results) {
 void warn_of_short_run(DynamicResults& results) {
   const auto estimated = [](const ExtremeEstimate& extreme) { return extreme.estimate.has_value(); };
   if (results.duration >= kThreeHours || std::ranges::none_of(results.extremes, estimated)) return;
-  results.findings.push_back(Finding{
-      FindingCode::short_record,
-      fmt::format("the three-hour extremes are extrapolated from a run of {0:.3g} min, and the maxima of the run are "
-                  "those of {0:.3g} min only",
-                  results.duration / 60.0)}
-                                 .with("duration", results.duration, "s"));
+  results.findings.push_back(
+      Finding{FindingCode::short_record, fmt::format("the three-hour extremes are extrapolated from a run of {0:.3g} "
+                                                     "min, and the maxima of the run are those of {0:.3g} min only",
+                                                     results.duration / 60.0)}
+          .with("duration", results.duration, "s"));
 }
 
 void warn_of_still_vessel(DynamicResults& results) {
@@ -81,22 +81,24 @@ void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
   if (t.wanted <= 0.0) return;
   const double off = t.tension.mean / t.wanted - 1.0;
   if (std::abs(off) > kOffMean) {
-    results.findings.push_back(Finding{
-        FindingCode::mean_tension_off_target,
-        fmt::format("the mean tension at the tensioner is {:.1f} kN, {:.1f} % {} the set tension of {:.1f} kN",
-                    1e-3 * t.tension.mean, 100.0 * std::abs(off), off > 0.0 ? "above" : "below", 1e-3 * t.wanted)}
-                                   .on("tensioner")
-                                   .with("tension", t.tension.mean, "N"));
+    results.findings.push_back(
+        Finding{FindingCode::mean_tension_off_target,
+                fmt::format("the mean tension at the tensioner is {}, {:.1f} % {} the set tension of {}",
+                            shown(t.tension.mean, "N", 1), 100.0 * std::abs(off), off > 0.0 ? "above" : "below",
+                            shown(t.wanted, "N", 1))}
+            .on("tensioner")
+            .with("tension", t.tension.mean, "N"));
   }
   const double change = trend(tension);
   if (std::abs(change) > kDrift * t.wanted) {
-    results.findings.push_back(Finding{
-        FindingCode::tension_drifts,
-        fmt::format("the mean tension at the tensioner drifts: it {} by {:.1f} kN over the run, {:.1f} % of the set "
-                    "tension; the statistics are those of a non-stationary record",
-                    change > 0.0 ? "rises" : "falls", 1e-3 * std::abs(change), 100.0 * std::abs(change) / t.wanted)}
-                                   .on("tensioner")
-                                   .with("change", change, "N"));
+    results.findings.push_back(
+        Finding{FindingCode::tension_drifts,
+                fmt::format("the mean tension at the tensioner drifts: it {} by {} over the run, {:.1f} % of the set "
+                            "tension; the statistics are those of a non-stationary record",
+                            change > 0.0 ? "rises" : "falls", shown(std::abs(change), "N", 1),
+                            100.0 * std::abs(change) / t.wanted)}
+            .on("tensioner")
+            .with("change", change, "N"));
   }
 }
 
@@ -104,14 +106,14 @@ void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
 
 void warn_of_energy(double drift, bool fixed_step, DynamicResults& results) {
   if (std::abs(drift) <= kMostDrift) return;
-  results.findings.push_back(Finding{
-      FindingCode::energy_imbalance,
-      fmt::format("the energy balance of the run has an error of {:.2g} of the energy exchanged: the motion is not "
-                  "resolved; {}",
-                  std::abs(drift),
-                  fixed_step ? "omit analysis.dynamic.step, or reduce it"
-                             : "reduce analysis.dynamic.max_step and analysis.dynamic.step_error")}
-                                 .with("error", drift, "1"));
+  results.findings.push_back(
+      Finding{FindingCode::energy_imbalance,
+              fmt::format("the energy balance of the run has an error of {:.2g} of the energy exchanged: the motion is "
+                          "not resolved; {}",
+                          std::abs(drift),
+                          fixed_step ? "omit analysis.dynamic.step, or reduce it"
+                                     : "reduce analysis.dynamic.max_step and analysis.dynamic.step_error")}
+          .with("error", drift, "1"));
 }
 
 double trend(std::span<const double> values) {
@@ -147,10 +149,10 @@ void warn_of_tensioners_chance(const Description& description, std::span<const d
   if (error <= kUncertain) return;
   results.findings.push_back(Finding{
       FindingCode::tensioner_statistics_uncertain,
-      fmt::format("the tensioner acted {} times in {:.3g} min: the standard deviation of its travel, {:.2f} m, is "
-                  "known to {:.0f} % "
-                  "(one standard error), and no better what follows from it; take a longer run, or several seeds",
-                  acted, results.duration / 60.0, results.tensioner.travel.std, 100.0 * error)}
+      fmt::format(
+          "the tensioner acted {} times in {:.3g} min: the standard deviation of its travel, {}, is known to {:.0f} % "
+          "(one standard error), and no better what follows from it; take a longer run, or several seeds",
+          acted, results.duration / 60.0, shown(results.tensioner.travel.std, "m", 2), 100.0 * error)}
                                  .on("tensioner")
                                  .with("error", error, "1"));
 }
@@ -163,25 +165,24 @@ void warn_of_large_motion(const VesselDescription& vessel, DynamicResults& resul
   };
   const double heel = largest("roll"), trim = largest("pitch"), heave = largest("heave");
   if (std::max(heel, trim) > kLargeAngle) {
-    results.findings.push_back(Finding{
-        FindingCode::vessel_angle_nonlinear,
-        fmt::format(
-            "the vessel heels by {:.1f} deg and trims by {:.1f} deg at most: beyond 10 deg the restoring of the "
-            "water is not linear, as it is taken to be",
-            heel * kToDegrees, trim * kToDegrees)}
-                                   .on("vessel")
-                                   .with("roll", heel, "rad")
-                                   .with("pitch", trim, "rad"));
+    results.findings.push_back(
+        Finding{FindingCode::vessel_angle_nonlinear,
+                fmt::format("the vessel heels by {:.1f} deg and trims by {:.1f} deg at most: beyond 10 deg the "
+                            "restoring of the water is not linear, as it is taken to be",
+                            heel * kToDegrees, trim * kToDegrees)}
+            .on("vessel")
+            .with("roll", heel, "rad")
+            .with("pitch", trim, "rad"));
   }
   const double freeboard = vessel.depth - vessel.draught;
   if (heave > 0.5 * freeboard) {
-    results.findings.push_back(Finding{
-        FindingCode::vessel_heave_nonlinear,
-        fmt::format("the vessel heaves by {:.2f} m at most, more than half its freeboard of {:.2f} m: the restoring of "
-                    "the water is not linear there, as it is taken to be",
-                    heave, freeboard)}
-                                   .on("vessel")
-                                   .with("heave", heave, "m"));
+    results.findings.push_back(
+        Finding{FindingCode::vessel_heave_nonlinear,
+                fmt::format("the vessel heaves by {} at most, more than half its freeboard of {}: the restoring of the "
+                            "water is not linear there, as it is taken to be",
+                            shown(heave, "m", 2), shown(freeboard, "m", 2))}
+            .on("vessel")
+            .with("heave", heave, "m"));
   }
 }
 
@@ -194,10 +195,9 @@ void warn_of_sea(const Description& description, DynamicResults& results) {
   if (again > kAlike) {
     results.findings.push_back(Finding{
         FindingCode::few_wave_components,
-        fmt::format(
-            "the sea of {} waves comes back to itself within the run: its autocorrelation rises to {:.2f} again, "
-            "where 200 waves in three hours reach 0.2; take more (environment.waves.components)",
-            waves.components, again)}
+        fmt::format("the sea of {} waves comes back to itself within the run: its autocorrelation rises to {:.2f} "
+                    "again, where 200 waves in three hours reach 0.2; take more (environment.waves.components)",
+                    waves.components, again)}
                                    .with("autocorrelation", again, "1"));
   }
   if (description.vessel.motion != VesselMotion::raos || !description.vessel.raos) return;
@@ -212,12 +212,12 @@ void warn_of_sea(const Description& description, DynamicResults& results) {
                                    .with("fraction", beside.above, "1"));
   }
   if (beside.below > kBesideTable) {
-    results.findings.push_back(Finding{
-        FindingCode::sea_outside_raos,
-        fmt::format("{:.0f} % of the sea's variance lies below the lowest frequency of the RAOs, {:.3g} rad/s, where "
-                    "translations are those of that frequency and rotations fall with the frequency",
-                    100.0 * beside.below, omegas.front())}
-                                   .with("fraction", beside.below, "1"));
+    results.findings.push_back(
+        Finding{FindingCode::sea_outside_raos,
+                fmt::format("{:.0f} % of the sea's variance lies below the lowest frequency of the RAOs, {:.3g} rad/s, "
+                            "where translations are those of that frequency and rotations fall with the frequency",
+                            100.0 * beside.below, omegas.front())}
+            .with("fraction", beside.below, "1"));
   }
 }
 

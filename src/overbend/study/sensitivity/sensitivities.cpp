@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/interruption.h"
+#include "base/shown_unit.h"
 #include "model/vessel/station.h"
 #include "modelfile/binding/model_inputs.h"
 #include "modelfile/binding/tolerances.h"
@@ -142,8 +143,7 @@ class Sensitivities {
 void tell_assumptions(const Model& model, SensitivityResults& results) {
   results.assumptions.push_back({AssumptionRank::other,
                                  "Sensitivities hold the mesh and the contacts as they are; derivatives by the numbers "
-                                 "of the model file, each by "
-                                 "itself."});
+                                 "of the model file, each by itself."});
   if (has_station(model.description)) {
     results.assumptions.push_back(
         {AssumptionRank::other,
@@ -152,10 +152,10 @@ void tell_assumptions(const Model& model, SensitivityResults& results) {
   const bool all_given =
       std::ranges::all_of(results.inputs, [](const SensitivityInput& input) { return input.own_tolerance; });
   if (!all_given) {
-    results.assumptions.push_back({AssumptionRank::other,
-                                   "Where sensitivities.tolerances says nothing, the tolerance is 10 mm for places, "
-                                   "0.1 deg for angles and 1 % of "
-                                   "anything else."});
+    results.assumptions.push_back(
+        {AssumptionRank::other, fmt::format("Where sensitivities.tolerances says nothing, the tolerance is {} for "
+                                            "places, 0.1 deg for angles and 1 % of anything else.",
+                                            shown_digits(0.01, section_length(), 3))});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shown_unit.h"
 #include "model/lay_stage.h"
 #include "statics/initial_shape/stage_shape.h"
 #include "study/run/static_run.h"
@@ -111,9 +112,8 @@ PlannedStage StageSolver::hopeless(const LayStageDescription& stage, const Use& 
           {},
           StageFailure{"no tension keeps every limit",
                        "",
-                       fmt::format("up to {:.1f} kN were tried; nearest is {:.1f} kN, where '{}' is at {:.2f} of what "
-                                   "is allowed",
-                                   1e-3 * most, 1e-3 * tension, nearest.limit, nearest.used),
+                       fmt::format("up to {} were tried; nearest is {}, where '{}' is at {:.2f} of what is allowed",
+                                   shown(most, "N", 1), shown(tension, "N", 1), nearest.limit, nearest.used),
                        {}},
           nullptr};
 }
