@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/finding.h"
+#include "results/verdict.h"
 
 namespace overbend {
 
@@ -31,6 +32,7 @@ struct SeedRun {
   std::string folder;          ///< Within the folder of results: "seed-3".
   std::vector<double> values;  ///< As many as there are quantities.
   Findings findings;
+  VerdictKind verdict = VerdictKind::not_judged;
 };
 
 struct FailedSeed {

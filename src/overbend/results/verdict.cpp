@@ -8,7 +8,6 @@
 #include <cctype>
 
 #include "base/shown_unit.h"
-#include "results/fields/result_field.h"
 #include "results/result_words.h"
 
 namespace overbend {

@@ -1,4 +1,5 @@
 #include "report/studies/study_shape.h"
+#include "results/verdict_order.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,12 +25,6 @@ void add_values(Growing& growing, const StudyCase& one) {
     group.low[i] = std::min(group.low[i].value_or(value), value);
     group.high[i] = std::max(group.high[i].value_or(value), value);
   }
-}
-
-/// In the order passed, reserved, not judged, exceeded.
-bool less_severe(VerdictKind a, VerdictKind b) {
-  constexpr std::array kRank = {0, 1, 3, 2};
-  return kRank[static_cast<std::size_t>(a)] < kRank[static_cast<std::size_t>(b)];
 }
 
 void add_case(Growing& growing, const StudyCase& one) {

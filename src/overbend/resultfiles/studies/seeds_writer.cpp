@@ -1,5 +1,6 @@
 #include "resultfiles/studies/seeds_writer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -7,6 +8,8 @@
 #include "resultfiles/static/results_writer.h"
 #include "resultfiles/summary/summary_json.h"
 #include "resultfiles/tables/csv_fields.h"
+#include "results/result_words.h"
+#include "results/verdict_order.h"
 #include "runstore/append_file.h"
 
 namespace overbend {
@@ -40,6 +43,7 @@ Json run_json(const SeedRun& run, const std::vector<SeedQuantity>& quantities) {
   for (std::size_t i = 0; i < quantities.size(); ++i) json[quantities[i].name] = run.values.at(i);
   json["warnings"] = messages(run.findings);
   json["findings"] = findings_json(run.findings);
+  json["verdict"] = word(run.verdict);
   return json;
 }
 
@@ -62,6 +66,12 @@ ShownUnit table_unit(const SeedQuantity& quantity) {
   return unit;
 }
 
+VerdictKind worst_verdict(const SeedsResults& results) {
+  VerdictKind worst = results.runs.empty() || !results.failed.empty() ? VerdictKind::not_judged : VerdictKind::passed;
+  for (const SeedRun& run : results.runs) worst = std::max(worst, run.verdict, less_severe);
+  return worst;
+}
+
 Json seeds_json(const SeedsResults& results) {
   Json runs = Json::array(), failed = Json::array(), over_seeds = Json::object();
   for (const SeedRun& run : results.runs) runs.push_back(run_json(run, results.quantities));
@@ -75,7 +85,8 @@ Json seeds_json(const SeedsResults& results) {
           {"failed", failed},
           {"statistics", over_seeds},
           {"warnings", messages(results.findings)},
-          {"findings", findings_json(results.findings)}};
+          {"findings", findings_json(results.findings)},
+          {"verdict", word(worst_verdict(results))}};
 }
 
 std::string seeds_summary(const StaticResults& statics, const SeedsResults& results) {

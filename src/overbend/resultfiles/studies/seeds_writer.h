@@ -18,6 +18,9 @@ void write_seeds_files(const StaticResults& statics, const SeedsResults& results
 /// What people read a quantity in; plain numbers have a dash.
 ShownUnit table_unit(const SeedQuantity& quantity);
 
+/// The most severe of the runs; not judged where a run has failed or there is none, unless one is exceeded.
+VerdictKind worst_verdict(const SeedsResults& results);
+
 /// What the key `seeds` of summary.json holds.
 Json seeds_json(const SeedsResults& results);
 

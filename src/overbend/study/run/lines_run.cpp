@@ -243,7 +243,8 @@ LineSeeds run_line_seeds(const Description& description, const std::vector<std::
       failed.push_back({seed, failed_end(*outcome.failure, description).why});
       continue;
     }
-    runs.push_back({seed, name, lines_values(*outcome.results), outcome.results->findings});
+    runs.push_back({seed, name, lines_values(*outcome.results), outcome.results->findings,
+                    verdict_kind(outcome.results->checks, outcome.results->findings)});
     all.last = std::move(*outcome.results);
   }
   if (runs.empty()) return all;

@@ -63,8 +63,10 @@ SeedsResults seeds_of(const std::vector<CaseRun>& runs, CheckTable& worst) {
     DynamicResults read = read_dynamic_results(h5).results;
     peaks.push_back(peaks_of_run(h5));
     results.duration = read.duration;
+    Findings findings = all_findings(shared.statics, read);
+    const VerdictKind verdict = verdict_kind(read.checks, findings);
     results.runs.push_back({run.seed, run.name, seed_values(shared.statics, read, read.fatigue.has_value()),
-                            all_findings(shared.statics, read)});
+                            std::move(findings), verdict});
     keep_worse(worst, std::move(read.checks));
   }
   fill_statistics(results);

@@ -1,0 +1,16 @@
+/// Which of two verdicts weighs more, for the verdict on several cases together.
+#pragma once
+
+#include <array>
+
+#include "results/verdict.h"
+
+namespace overbend {
+
+/// In the order passed, reserved, not judged, exceeded.
+constexpr bool less_severe(VerdictKind a, VerdictKind b) {
+  constexpr std::array kRank = {0, 1, 3, 2};
+  return kRank[static_cast<std::size_t>(a)] < kRank[static_cast<std::size_t>(b)];
+}
+
+}  // namespace overbend
