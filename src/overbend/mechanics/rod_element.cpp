@@ -94,13 +94,6 @@ double curvature(const CentrelinePoint& at) {
   return at.a.cross(at.b).norm() / at.a.squaredNorm();
 }
 
-double membrane_strain(const ElementVector& q, double xi, double length) {
-  const double e0 = q.segment<3>(3).norm() - 1.0;
-  const double e1 = centreline(q, 0.5, length).a.norm() - 1.0;
-  const double e2 = q.segment<3>(9).norm() - 1.0;
-  return e0 * (1.0 - xi) * (1.0 - 2.0 * xi) + 4.0 * e1 * xi * (1.0 - xi) + e2 * xi * (2.0 * xi - 1.0);
-}
-
 RodForce rod_force(const RodProperties& properties, const ElementVector& q, const RodMotion& motion) {
   RodForce result;
   add_membrane(properties, q, motion, result);

@@ -60,9 +60,6 @@ CentrelinePoint centreline(const ElementVector& q, double xi, double length);
 /// Curvature |a x b| / |a|^2 [1/m].
 double curvature(const CentrelinePoint& at);
 
-/// Axial strain interpolated through the strains at xi = 0, 1/2, 1.
-double membrane_strain(const ElementVector& q, double xi, double length);
-
 /// Energy, force and tangent of membrane and bending.
 RodForce rod_force(const RodProperties& properties, const ElementVector& q, const RodMotion& motion = {});
 
