@@ -31,8 +31,9 @@ void print_line(const LineResult& line, bool moved) {
                            line.elements, shown(line.on_bed, "m", 1));
   for (const auto& [name, end] : {std::pair{"first end", &line.first}, {"second end", &line.second}}) {
     std::cout << fmt::format("    {:<26}{:>12} {}", name, shown_number(end->tension, "N", 2), shown_name("N"));
-    if (moved)
+    if (moved) {
       std::cout << fmt::format(", {} to {}", shown_number(end->in_time.min, "N", 2), shown(end->in_time.max, "N", 2));
+    }
     std::cout << "\n";
   }
   if (!line.utilisation) return;

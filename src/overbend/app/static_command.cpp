@@ -75,9 +75,10 @@ void print_results(const StaticResults& r) {
   if (r.tower) print_region("tower", r, *r.tower);
   print_region("sagbend", r, r.sagbend);
   if (r.bed) print_laid_pipe(*r.bed);
-  if (r.residual_curvature > 0.0)
+  if (r.residual_curvature > 0.0) {
     line("residual curvature",
          fmt::format("{:>12} {}, at touchdown", shown_number(r.residual_curvature, "1/m", 5), shown_name("1/m")));
+  }
   if (r.stinger_tip_clearance) number("stinger tip clearance", *r.stinger_tip_clearance, "m", 3);
   if (r.stinger_fitted_radius) number("stinger radius, fitted", *r.stinger_fitted_radius, "m");
   if (!r.supports.empty()) {

@@ -91,7 +91,7 @@ std::string unit_of_key(const std::string& si, const std::string& metric) {
   return known != all.end() ? std::string(known->name) : metric;
 }
 
-std::string headed(const std::string& name, std::string_view si) {
+std::string name_with_unit(const std::string& name, std::string_view si) {
   return name + " [" + shown_name(si) + "]";
 }
 

@@ -65,7 +65,7 @@ ShownUnit steel_inertia();   ///< [m4]
 std::string unit_of_key(const std::string& si, const std::string& metric);
 
 /// "Lay-back [m]": a name with the unit that its values are shown in.
-std::string headed(const std::string& name, std::string_view si);
+std::string name_with_unit(const std::string& name, std::string_view si);
 
 /// A duration in the largest unit that leaves it above one: "45 s", "10 min", "3 h". [s]
 std::string duration_words(double seconds);

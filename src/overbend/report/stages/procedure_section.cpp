@@ -139,8 +139,9 @@ void add_limits(const StageLimits& limits, std::vector<std::string>& reasons) {
   if (limits.tip_clearance) {
     reasons.push_back(fmt::format("Clearance at the stinger tip below {}.", shown(*limits.tip_clearance, "m", 2)));
   }
-  if (limits.roller_load)
+  if (limits.roller_load) {
     reasons.push_back(fmt::format("Load of a roller above {}.", shown(*limits.roller_load, "N", 1)));
+  }
   if (limits.sagbend_strain) {
     reasons.push_back(fmt::format("Tension below \"not below\": the strain of the sagbend exceeds {} %.",
                                   strains().text(*limits.sagbend_strain, 3)));

@@ -14,18 +14,19 @@ std::string to_side(double value, std::string_view si, int digits) {
 
 std::string route_table(const RouteResults& route) {
   html::Table table("", {{"Pipe on its route", "", true}, {"", "", true}});
-  table.row({headed("Touchdown beside the route", "m"), to_side(route.laid_offset, "m", 2)});
-  table.row({headed("Side load on rollers and tensioner", "N"), to_side(route.side_load_supports, "N", 2)});
-  table.row({headed("Side load on the seabed", "N"), to_side(route.side_load_bed, "N", 2)});
+  table.row({name_with_unit("Touchdown beside the route", "m"), to_side(route.laid_offset, "m", 2)});
+  table.row({name_with_unit("Side load on rollers and tensioner", "N"), to_side(route.side_load_supports, "N", 2)});
+  table.row({name_with_unit("Side load on the seabed", "N"), to_side(route.side_load_bed, "N", 2)});
   if (route.least_radius > 0.0) {
-    table.row({headed("Least radius that friction holds, H / (mu w)", "m"), shown_number(route.least_radius, "m", 0)});
+    table.row({name_with_unit("Least radius that friction holds, H / (mu w)", "m"),
+               shown_number(route.least_radius, "m", 0)});
   }
   if (route.radius > 0.0) {
-    table.row({headed("Smallest radius of the route behind touchdown", "m"),
+    table.row({name_with_unit("Smallest radius of the route behind touchdown", "m"),
                shown_number(route.radius, "m", 0) + (route.holds ? ", holds" : ", does not hold")});
-    table.row({headed("Length of pipe that has slid sideways", "m"), shown_number(route.slid_length, "m", 1)});
-    table.row({headed("Largest offset from the route", "m"), to_side(route.largest_offset, "m", 2)});
-    table.row({headed("Where, astern of the stern shoe", "m"), shown_number(route.offset_x, "m", 1)});
+    table.row({name_with_unit("Length of pipe that has slid sideways", "m"), shown_number(route.slid_length, "m", 1)});
+    table.row({name_with_unit("Largest offset from the route", "m"), to_side(route.largest_offset, "m", 2)});
+    table.row({name_with_unit("Where, astern of the stern shoe", "m"), shown_number(route.offset_x, "m", 1)});
   }
   return table.str();
 }

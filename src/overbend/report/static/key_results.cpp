@@ -86,8 +86,9 @@ std::vector<std::array<std::string, 3>> lay_quantities(const StaticResults& r) {
     row("Stinger tip clearance (negative: in contact)", shown_number(*r.stinger_tip_clearance, "m", 4),
         shown_name("m"));
   }
-  if (r.ramp_fitted_radius)
+  if (r.ramp_fitted_radius) {
     row("Ramp, radius of the circle fitted to its boxes", shown_number(*r.ramp_fitted_radius, "m", 1), shown_name("m"));
+  }
   if (r.stinger_fitted_radius) {
     row("Stinger, radius of the circle fitted to its boxes", shown_number(*r.stinger_fitted_radius, "m", 1),
         shown_name("m"));

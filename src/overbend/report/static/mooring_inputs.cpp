@@ -28,8 +28,9 @@ std::string damping_words(const ModeDampingDescription& damping) {
   const double force = shown_unit("N").factor,
                length = shown_unit("m").factor;  // of a moment by an angle, else by a length
   if (damping.linear) add("linear " + general(*damping.linear * force * (turns ? length : 1.0 / length)));
-  if (damping.quadratic)
+  if (damping.quadratic) {
     add("quadratic " + general(*damping.quadratic * force * (turns ? length : std::pow(length, -2))));
+  }
   return words;
 }
 

@@ -154,9 +154,10 @@ Assumptions line_assumptions(const Model& model) {
         return std::any_of(line.points.begin(), line.points.end(),
                            [](const auto& point) { return point.tether > 0.0; });
       });
-  if (tethers)
+  if (tethers) {
     told.push_back(
         {AssumptionRank::other, "Tethers stand upright over or under their line whatever drags on what they hold."});
+  }
   return told;
 }
 
