@@ -16,7 +16,8 @@ struct MovingLine {
   StaticSolution solution = solve_statics(model).solution.value();
   System system = pipe_system(model, solution, model.description.tensioner.tension.value_or(3e5));
   const Line& line = system.lines.front();
-  SystemState state = static_state(system, solution, {}, 0.0);
+  SystemState state = state_at_rest(system, {solution.state.q}, 0.0);
+  lay_at_rest(system.lines.front(), solution, state.lines.front());
   std::vector<double> residual, cuts, water;
   AlignedDoubles slips;
   BlockTridiagonal tangent;

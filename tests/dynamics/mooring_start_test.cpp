@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "dynamics/machines/mooring_tension.h"
-#include "dynamics/run/moored_simulation.h"
+#include "dynamics/run/simulation.h"
 #include "model/pipe/line_types.h"
 #include "support/moored_lay.h"
 
@@ -54,13 +54,13 @@ void add_chain_end(Description& d, double length, double diameter, double fricti
 
 void expect_statics_at_start(const Description& d, double share) {
   const testing::SolvedHull at(d);
-  MooredSimulation simulation(at.model, at.start(), dynamic_options(at.model));
+  Simulation simulation(at.model, at.start(), 0.0, dynamic_options(at.model));
   ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;
-  const SystemRun& run = simulation.run();
+  Simulation& run = simulation;
   for (std::size_t i = 0; i < d.moorings->lines.size(); ++i) {
     const MooringLineResult& rest = at.rest.moorings->rest.moorings[i];
-    const double tension = mooring_tension(run.assembly(), run.state(), i, LineEnd::last);
-    const double anchor = mooring_tension(run.assembly(), run.state(), i, LineEnd::first);
+    const double tension = mooring_tension(*run.now().assembly, *run.now().state, i, LineEnd::last);
+    const double anchor = mooring_tension(*run.now().assembly, *run.now().state, i, LineEnd::first);
     EXPECT_NEAR(tension, rest.fairlead_tension, share * rest.fairlead_tension) << rest.name;
     EXPECT_NEAR(anchor, rest.anchor_tension, 2.0 * share * rest.fairlead_tension) << rest.name;
   }
@@ -95,9 +95,9 @@ TEST(mooring_start, come_to_rest_in_a_current_whatever_the_friction_of_the_bed) 
       d.vessel.coupled->current = {};
       d.vessel.coupled->current.form = HullCurrentForm::none;
       const testing::SolvedHull at(d);
-      MooredSimulation simulation(at.model, at.start(), dynamic_options(at.model));
+      Simulation simulation(at.model, at.start(), 0.0, dynamic_options(at.model));
       ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;
-      EXPECT_LT(simulation.run().state().bodies.at(0).acc.head<3>().norm(), 1e-6 * kGravity);
+      EXPECT_LT(simulation.now().state->bodies.at(0).acc.head<3>().norm(), 1e-6 * kGravity);
       if (speed < 0.5) expect_statics_at_start(d, 0.02);  // of less than a metre's bow
     }
   }

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include "dynamics/run/moored_simulation.h"
 #include "dynamics/run/simulation.h"
 #include "recording/run_dynamics.h"
 #include "recording/vessel_watch.h"
@@ -142,10 +141,10 @@ TEST(positioned_hull, tells_its_thrust_in_time) {
 
 TEST(positioned_hull, at_rest_does_not_drift_by_its_rounding) {
   const SolvedHull hull(without_pipe(20.0));
-  MooredSimulation run(hull.model, hull.start(), dynamic_options(hull.model));
+  Simulation run(hull.model, hull.start(), 0.0, dynamic_options(hull.model));
   ASSERT_FALSE(run.failure());
-  EXPECT_TRUE(run.run().advance(run.run().end()));
-  EXPECT_LT(std::abs(run.run().energy().drift()), 1e-9);  // of what it weighs, moved by a thousandth of a millimetre
+  EXPECT_TRUE(run.advance(run.end()));
+  EXPECT_LT(std::abs(run.energy().drift()), 1e-9);  // of what it weighs, moved by a thousandth of a millimetre
 }
 
 TEST(positioned_hull, is_pulled_ahead_by_its_wanted_place) {
@@ -160,10 +159,10 @@ TEST(positioned_hull, is_pulled_ahead_by_its_wanted_place) {
   ASSERT_EQ(results.stages.size(), 2U);
   EXPECT_NEAR(results.stages[1].vessel.surge - results.stages[0].vessel.surge, 12.0, 1e-6);
   EXPECT_NEAR(results.stages[1].thrust[0], 60e3, 1.0);
-  MooredSimulation run(hull.model, hull.start(), dynamic_options(hull.model));
+  Simulation run(hull.model, hull.start(), 0.0, dynamic_options(hull.model));
   ASSERT_FALSE(run.failure());
-  EXPECT_TRUE(run.run().advance(run.run().end()));
-  const auto shift = shift_between(hull.model.drawn_pose, run.run().assembly().surroundings().bodies[0].pose);
+  EXPECT_TRUE(run.advance(run.end()));
+  const auto shift = shift_between(hull.model.drawn_pose, run.now().assembly->surroundings().bodies[0].pose);
   EXPECT_NEAR(shift[0], results.stages[1].vessel.surge, 0.05);  // what is left of the swing
 }
 

@@ -1,7 +1,6 @@
 /// Lines that bear no compression, where they fall slack and snap tight, against a chain of lumped masses.
 #include <gtest/gtest.h>
 
-#include "dynamics/run/lines_in_time.h"
 #include "mechanics/slack_law.h"
 #include "model/pipe/line_types.h"
 #include "support/line_cases.h"

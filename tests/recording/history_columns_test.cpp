@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "recording/dynamic_recorder_layout.h"
+#include "recording/pipe_recorder_layout.h"
 #include "support/bgl1_in_time.h"
 
 namespace overbend {
@@ -24,7 +24,7 @@ const TimedLay& example() {
 }
 
 double value(const std::string& name, const RowSource& row) {
-  for (const RecordedColumn& recorded : recorded_columns(example().model.supports)) {
+  for (const RecordedColumn& recorded : recorded_columns({&example().model.supports})) {
     if (recorded.column.name == name) return recorded.value(row);
   }
   throw std::runtime_error("no column " + name);
@@ -32,7 +32,7 @@ double value(const std::string& name, const RowSource& row) {
 
 TEST(history_columns, begin_with_time_and_have_a_name_of_their_own_a_unit_and_a_meaning) {
   std::set<std::string> names;
-  const std::vector<RecordedColumn> columns = recorded_columns(example().model.supports);
+  const std::vector<RecordedColumn> columns = recorded_columns({&example().model.supports});
   EXPECT_EQ(columns.front().column.name, "time");
   for (const RecordedColumn& recorded : columns) {
     EXPECT_TRUE(names.insert(recorded.column.name).second) << recorded.column.name;
@@ -76,7 +76,8 @@ TEST(history_columns, a_value_is_that_of_its_name) {
 }
 
 TEST(history_columns, without_supports_the_upper_region_is_the_tower) {
-  const std::vector<RecordedColumn> columns = recorded_columns({});
+  const Supports without;
+  const std::vector<RecordedColumn> columns = recorded_columns({&without});
   const auto named = [&](const std::string& name) {
     return std::any_of(columns.begin(), columns.end(), [&](const RecordedColumn& c) { return c.column.name == name; });
   };

@@ -1,6 +1,7 @@
 /// Lines by themselves with answers of other programs or a closed form. Tests and the validation page share them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -8,8 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/run/lines_in_time.h"
+#include "dynamics/run/simulation.h"
+#include "recording/recorder.h"
+#include "statics/solver/lines_setup.h"
 #include "support/fixtures.h"
+#include "support/memory_sink.h"
 
 namespace overbend::testing {
 
@@ -97,24 +101,47 @@ struct RestingLines {
   }
   RestingLines(const RestingLines&) = delete;
   RestingLines& operator=(const RestingLines&) = delete;
+  /// What a run starts from.
+  RunStart start(const DynamicOptions& options) const {
+    StaticSolution solution;
+    solution.lines = std::make_shared<LinesAtRest>(LinesAtRest{setup, state, rest});
+    return make_run_start(model, solution, 0.0, options);
+  }
   Vec3 place(std::size_t line, int node) const { return Eigen::Map<const Vec3>(state.lines[line].q.data() + 6 * node); }
   const Line& line(std::size_t i = 0) const { return setup.system.lines[i]; }
 };
 
-/// A run from that rest; histories of t >= 0.
+/// Tensions of a line in a run [N]: rows of t >= 0, and the least and largest of all steps.
+struct LineHistory {
+  std::vector<double> time, first, last;
+  double least_first = 0.0, most_first = 0.0, least_last = 0.0, most_last = 0.0;
+  std::vector<double> least_tension, most_tension;  ///< At the nodes.
+};
+
+/// A run from that rest.
 inline std::vector<LineHistory> run_lines(const Description& description, const DynamicOptions& options) {
-  RestingLines rest(description);
-  const Model& model = rest.model;
-  const WavesDescription& waves = model.description.environment.waves;
-  const Sea sea = make_sea(waves, model.description.environment.water_depth, options.seed);
-  System system = std::move(rest.setup.system);
-  LineRecorder recorder(system);
-  SystemState start = resting_lines(system, rest.state, rest.rest, -options.build_up);
-  SystemRun run(std::move(system), moving_ends(model, make_vessel_motion(model, sea), options.build_up), sea,
-                std::move(start), options);
+  const RestingLines rest(description);
+  Simulation run(rest.model, rest.start(options), options);
+  StaticResults statics;
+  statics.lines.resize(description.lines.size());
+  MemorySink sink;
+  Recorder recorder(rest.model, statics, run, sink);
   run.observe(recorder);
+  recorder.row(run.now(), run.row_number());
   if (!run.advance(run.end())) throw std::runtime_error(run.failure()->what);
-  return recorder.histories();
+  DynamicResults results;
+  recorder.fill(results);
+  const std::vector<double> time = sink.column("time");
+  const auto first_row = std::lower_bound(time.begin(), time.end(), 0.0) - time.begin();
+  const auto counted = [&](const std::vector<double>& all) { return std::vector(all.begin() + first_row, all.end()); };
+  std::vector<LineHistory> histories;
+  for (const LineDynamics& line : results.lines) {
+    histories.push_back({counted(time), counted(sink.column("line/" + line.name + "/first_tension")),
+                         counted(sink.column("line/" + line.name + "/second_tension")), line.first_tension.min,
+                         line.first_tension.max, line.second_tension.min, line.second_tension.max, line.least_at_nodes,
+                         line.largest_at_nodes});
+  }
+  return histories;
 }
 
 /// Columns of numbers, separated by blanks or commas.

@@ -45,7 +45,7 @@ class CheckLayers(unittest.TestCase):
 
     def test_an_analysis_that_knows_its_checks_or_its_recorder_is_caught(self):
         self.assert_caught("statics/solver/bad.cpp", '#include "checks/run_checks.h"')
-        self.assert_caught("dynamics/run/bad.cpp", '#include "recording/dynamic_recorder.h"')
+        self.assert_caught("dynamics/run/bad.cpp", '#include "recording/pipe_recorder.h"')
 
     def test_a_sideways_include_is_caught(self):
         self.assert_caught("numerics/bad.h", '#include "model/model.h"')

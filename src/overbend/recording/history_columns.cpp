@@ -1,7 +1,8 @@
 #include "recording/history_columns.h"
 
 #include "dynamics/machines/mooring_tension.h"
-#include "recording/dynamic_recorder_layout.h"
+#include "recording/line_recorder.h"
+#include "recording/pipe_recorder_layout.h"
 #include "recording/stinger_watch.h"
 
 namespace overbend {
@@ -129,6 +130,18 @@ void add_mooring(Columns& columns, const std::string& name, std::size_t line) {
       {{"mooring/" + name + "/anchor_tension", "N", "Tension at the anchor", true, false}, tension(LineEnd::first)});
 }
 
+void add_line(Columns& columns, const std::string& name, std::size_t line) {
+  const auto tension = [line](LineEnd end) {
+    return [line, end](const RowSource& row) { return end_tension(*row.now.assembly, *row.now.state, line, end); };
+  };
+  columns.push_back(
+      {{"line/" + name + "/first_tension", "N", "Tension at the first end, negative where it is pushed", true, true},
+       tension(LineEnd::first)});
+  columns.push_back(
+      {{"line/" + name + "/second_tension", "N", "Tension at the second end, negative where it is pushed", true, true},
+       tension(LineEnd::last)});
+}
+
 void add_section(Columns& columns, const std::string& name, std::size_t section, const Vec3& astern_W) {
   const auto reading = [section](const RowSource& row) { return row.now.assembly->hinged().reading(section); };
   const std::string of = "stinger/" + name + "/";
@@ -146,21 +159,27 @@ void add_section(Columns& columns, const std::string& name, std::size_t section,
 
 }  // namespace
 
-std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std::vector<std::string>& moorings,
-                                             bool floating, const std::vector<std::string>& sections,
-                                             const Vec3& astern_W) {
+std::vector<RecordedColumn> recorded_columns(const RecordedObjects& objects) {
   Columns columns;
-  add_time(columns, "the stern shoe");
+  const Supports* const supports = objects.supports;
+  add_time(columns, supports != nullptr ? "the stern shoe" : "midship");
   add_vessel(columns);
-  add_lay(columns);
-  add_region(columns, supports.boxes.empty() ? "tower" : "overbend", kUpper);
-  add_region(columns, "sagbend", kSagbend);
-  add_tension(columns);
+  if (supports != nullptr) {
+    add_lay(columns);
+    add_region(columns, supports->boxes.empty() ? "tower" : "overbend", kUpper);
+    add_region(columns, "sagbend", kSagbend);
+    add_tension(columns);
+  }
   add_solver(columns);
-  for (std::size_t box = 0; box < supports.boxes.size(); ++box) add_box(columns, supports.boxes[box].name, box);
-  if (floating) add_floating(columns);
-  for (std::size_t i = 0; i < moorings.size(); ++i) add_mooring(columns, moorings[i], i);
-  for (std::size_t i = 0; i < sections.size(); ++i) add_section(columns, sections[i], i, astern_W);
+  for (std::size_t box = 0; supports != nullptr && box < supports->boxes.size(); ++box) {
+    add_box(columns, supports->boxes[box].name, box);
+  }
+  if (objects.floating) add_floating(columns);
+  for (std::size_t i = 0; i < objects.moorings.size(); ++i) add_mooring(columns, objects.moorings[i], i);
+  for (std::size_t i = 0; i < objects.sections.size(); ++i) {
+    add_section(columns, objects.sections[i], i, objects.astern_W);
+  }
+  for (std::size_t i = 0; i < objects.lines.size(); ++i) add_line(columns, objects.lines[i], objects.first_line + i);
   return columns;
 }
 
@@ -172,16 +191,6 @@ void add_thrust_columns(std::vector<RecordedColumn>& columns) {
   thrust("surge", "N", "Thrust of dynamic positioning ahead", 0);
   thrust("sway", "N", "Thrust of dynamic positioning to port", 1);
   thrust("yaw", "N m", "Moment of dynamic positioning, bow to port", 2);
-}
-
-std::vector<RecordedColumn> moored_columns(const std::vector<std::string>& moorings) {
-  Columns columns;
-  add_time(columns, "midship");
-  add_vessel(columns);
-  add_solver(columns);
-  add_floating(columns);
-  for (std::size_t i = 0; i < moorings.size(); ++i) add_mooring(columns, moorings[i], i);
-  return columns;
 }
 
 }  // namespace overbend

@@ -12,15 +12,15 @@
 
 namespace overbend {
 
-/// What a row of histories is made of. Key figures are laid out as in dynamic_recorder_layout.h.
+/// What a row of histories is made of. Key figures are laid out as in pipe_recorder_layout.h.
 struct RowSource {
   const Instant& now;
-  std::span<const double> key;                     ///< Now.
-  std::span<const double> largest_key, least_key;  ///< Since the row before.
-  std::span<const double> largest_reaction;        ///< Of every box since the previous row [N].
-  std::span<const double> least_separation;        ///< Likewise; infinite where the pipe passed none of it [m].
-  const VesselWatch* floating = nullptr;           ///< Where there are columns of a vessel that floats.
-  const ThrustWatch* thrust = nullptr;             ///< Where there are columns of dynamic positioning.
+  std::span<const double> key{};                       ///< Now.
+  std::span<const double> largest_key{}, least_key{};  ///< Since the row before.
+  std::span<const double> largest_reaction{};          ///< Of every box since the previous row [N].
+  std::span<const double> least_separation{};          ///< Likewise; infinite where the pipe passed none of it [m].
+  const VesselWatch* floating = nullptr;               ///< Where there are columns of a vessel that floats.
+  const ThrustWatch* thrust = nullptr;                 ///< Where there are columns of dynamic positioning.
 };
 
 struct RecordedColumn {
@@ -28,17 +28,21 @@ struct RecordedColumn {
   std::function<double(const RowSource&)> value;
 };
 
-/// The columns of a run over these supports; the first is time.
-/// `moorings`: names of the mooring lines of the run; `floating`: whether the vessel floats free or lies on lines.
-/// `sections`: names of those of the stinger that turn in time, told along the horizontal unit vector `astern_W`.
-std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std::vector<std::string>& moorings = {},
-                                             bool floating = false, const std::vector<std::string>& sections = {},
-                                             const Vec3& astern_W = Vec3::UnitX());
+/// The objects of a run that have columns.
+struct RecordedObjects {
+  const Supports* supports = nullptr;   ///< Of the pipe that is laid; null without one.
+  bool floating = false;                ///< Whether the vessel floats free or lies on lines.
+  std::vector<std::string> moorings{};  ///< Names of the mooring lines.
+  std::vector<std::string> sections{};  ///< Of the stinger, that turn in time.
+  Vec3 astern_W = Vec3::UnitX();        ///< Horizontal unit vector along which forces of their hinges are given.
+  std::vector<std::string> lines{};     ///< Names of the lines that stand by themselves.
+  std::size_t first_line = 0;           ///< Where these begin among the lines of the system.
+};
+
+/// The columns of a run; the first is time.
+std::vector<RecordedColumn> recorded_columns(const RecordedObjects& objects);
 
 /// What dynamic positioning gives.
 void add_thrust_columns(std::vector<RecordedColumn>& columns);
-
-/// The columns of a run of a vessel on these mooring lines, without a pipe.
-std::vector<RecordedColumn> moored_columns(const std::vector<std::string>& moorings);
 
 }  // namespace overbend

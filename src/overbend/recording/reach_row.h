@@ -8,7 +8,7 @@
 
 namespace overbend {
 
-/// Steps to the next row of output; `Run`: a Simulation or a SystemRun. False if the run is cancelled and the row is
+/// Steps to the next row of output; `Run`: a Simulation. False if the run is cancelled and the row is
 /// not reached soon after: checkpoints are exact at rows only, so the last one remains. Stops at a failed step, see
 /// failure() of the run.
 template <class Run>

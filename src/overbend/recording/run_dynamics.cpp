@@ -7,9 +7,8 @@
 
 #include "base/shown_unit.h"
 #include "dynamics/setup/start_leap.h"
-#include "recording/dynamic_recorder.h"
-#include "recording/moored_recorder.h"
 #include "recording/reach_row.h"
+#include "recording/recorder.h"
 
 namespace overbend {
 namespace {
@@ -26,9 +25,43 @@ DynamicRunReport finished(DynamicRunReport report, const DynamicOptions& options
   return report;
 }
 
-/// What results of all runs have in common; `Run`: a Simulation or a SystemRun.
-template <class Run>
-DynamicResults begun_results(const Model& model, const Run& run) {
+Finding started_at_once(const std::string& text) {
+  return Finding{FindingCode::start_without_build_up, text};
+}
+
+/// Motions that do not begin where statics have what they move.
+Findings start_findings(const Model& model, const Simulation& run) {
+  Findings findings;
+  const bool carries = run.hull() != nullptr || run.lines().size() < run.system().lines.size();
+  if (const double leap = carries ? leap_at_start(model) : 0.0; leap > kSmallLeap) {
+    findings.push_back(
+        started_at_once(
+            fmt::format("without build-up the stern shoe leaps by {} from where statics have it: what rings after "
+                        "t = 0 comes from that; give some wave periods (analysis.dynamic.build_up)",
+                        shown_digits(leap, "m", 3)))
+            .on("vessel")
+            .with("distance", leap, "m"));
+  }
+  if (const double speed = carries ? speed_at_start(model) : 0.0; speed > kSmallSpeed) {
+    findings.push_back(
+        started_at_once(fmt::format("without build-up the stern shoe has {} at once: impacts and tensions after t = 0 "
+                                    "come from that; give some wave periods (analysis.dynamic.build_up)",
+                                    shown_digits(speed, "m/s", 3)))
+            .on("vessel")
+            .with("speed", speed, "m/s"));
+  }
+  if (const double leap = run.lines().empty() ? 0.0 : line_leap_at_start(model, run.options()); leap > kSmallLeap) {
+    findings.push_back(
+        started_at_once(
+            fmt::format("without build-up an end leaps by {} from where statics have it: what rings after t = 0 "
+                        "comes from that; give some periods (analysis.dynamic.build_up)",
+                        shown_digits(leap, "m", 3)))
+            .with("distance", leap, "m"));
+  }
+  return findings;
+}
+
+DynamicResults results_of(const Model& model, const Simulation& run, const Recorder& recorder) {
   const DynamicOptions& options = run.options();
   DynamicResults r;
   r.duration = run.time();
@@ -37,50 +70,33 @@ DynamicResults begun_results(const Model& model, const Run& run) {
   r.seed = options.seed;
   r.energy = run.energy();
   r.run = finished(run.report(), options, r.duration + std::ceil(r.build_up / r.output_step) * r.output_step);
-  if (const double leap = leap_at_start(model); leap > kSmallLeap) {
-    r.findings.push_back(
-        Finding{FindingCode::start_without_build_up,
-                fmt::format("without build-up the stern shoe leaps by {} from where statics have it: what rings after "
-                            "t = 0 comes from that; give some wave periods (analysis.dynamic.build_up)",
-                            shown_digits(leap, "m", 3))}
-            .on("vessel")
-            .with("distance", leap, "m"));
-  }
-  if (const double speed = speed_at_start(model); speed > kSmallSpeed) {
-    r.findings.push_back(
-        Finding{FindingCode::start_without_build_up,
-                fmt::format("without build-up the stern shoe has {} at once: impacts and tensions after t = 0 come "
-                            "from that; give some wave periods (analysis.dynamic.build_up)",
-                            shown_digits(speed, "m/s", 3))}
-            .on("vessel")
-            .with("speed", speed, "m/s"));
-  }
-  return r;
-}
-
-DynamicResults results_of(const Model& model, const Simulation& simulation, const DynamicRecorder& recorder) {
-  DynamicResults r = begun_results(model, simulation);
+  append(r.findings, start_findings(model, run));
   recorder.fill(r);
-  r.assumptions = merge(std::move(r.assumptions), simulation.controllers().assumptions());
-  append(r.findings, simulation.controllers().findings(simulation.system()));
+  r.assumptions = merge(std::move(r.assumptions), run.controllers().assumptions());
+  append(r.findings, run.controllers().findings(run.system()));
   return r;
 }
 
-DynamicResults results_of(const Model& model, const SystemRun& run, const MooredRecorder& recorder) {
-  DynamicResults r = begun_results(model, run);
-  recorder.fill(r);
-  return r;
-}
+}  // namespace
 
-/// To the end, unless `control` stops it. `so_far` gives the results at the present, `tension` that to tell [N].
-template <class Run>
-DynamicOutcome follow(Run& run, DynamicSink& sink, const std::function<DynamicControl(const DynamicProgress&)>& control,
-                      const std::function<DynamicResults()>& so_far, const std::function<double()>& tension) {
+DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, const StaticResults& statics,
+                            const DynamicOptions& options, DynamicSink& sink, const DynamicCheckpoint* from,
+                            const std::function<DynamicControl(const DynamicProgress&)>& control) {
+  Simulation run(model, start, statics.top_tension, options);
+  if (run.failure()) return {std::nullopt, run.failure(), false};
+  Recorder recorder(model, statics, run, sink);
+  run.observe(recorder);  // also before a restore: the recorder keeps the static state
+  if (from != nullptr) {
+    run.restore(*from);
+  } else {
+    recorder.row(run.now(), run.row_number());
+  }
+  const auto so_far = [&] { return results_of(model, run, recorder); };
   while (!run.finished()) {
     if (!reach_row(run)) return {std::nullopt, std::nullopt, true};
     if (run.failure()) return {std::nullopt, run.failure(), false};
     const DynamicControl wanted =
-        control({run.time(), run.end(), run.report().steps, tension(), [&so_far] { return so_far(); }});
+        control({run.time(), run.end(), run.report().steps, recorder.top_tension(), [&so_far] { return so_far(); }});
     if (wanted != DynamicControl::go_on) sink.checkpoint(run.checkpoint());
     if (wanted == DynamicControl::stop && !run.finished()) {
       if (run.time() <= 0.0) return {std::nullopt, std::nullopt, true};
@@ -89,44 +105,6 @@ DynamicOutcome follow(Run& run, DynamicSink& sink, const std::function<DynamicCo
   }
   if (run.report().wall_time > kWorthKeeping) sink.checkpoint(run.checkpoint());  // results are still to be written
   return {so_far(), std::nullopt, false};
-}
-
-/// A hull on its mooring lines, without a pipe.
-DynamicOutcome run_moored(const Model& model, const StaticSolution& start, const DynamicOptions& options,
-                          DynamicSink& sink, const DynamicCheckpoint* from,
-                          const std::function<DynamicControl(const DynamicProgress&)>& control) {
-  MooredSimulation moored(model, start, options);
-  if (moored.failure()) return {std::nullopt, moored.failure(), false};
-  SystemRun& run = moored.run();
-  MooredRecorder recorder(model, moored, sink);
-  run.observe(recorder);
-  if (from != nullptr) {
-    run.restore(*from);
-  } else {
-    recorder.row(run);
-  }
-  return follow(
-      run, sink, control, [&] { return results_of(model, run, recorder); }, [&] { return recorder.largest_tension(); });
-}
-
-}  // namespace
-
-DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, const StaticResults& statics,
-                            const DynamicOptions& options, DynamicSink& sink, const DynamicCheckpoint* from,
-                            const std::function<DynamicControl(const DynamicProgress&)>& control) {
-  if (!model.description.has_pipe) return run_moored(model, start, options, sink, from, control);
-  Simulation simulation(model, start, statics.top_tension, options);
-  if (simulation.failure()) return {std::nullopt, simulation.failure(), false};
-  DynamicRecorder recorder(model, statics, simulation, sink);
-  simulation.observe(recorder);  // also before a restore: the recorder keeps the static state
-  if (from != nullptr) {
-    simulation.restore(*from);
-  } else {
-    recorder.row(simulation.now(), simulation.row_number());
-  }
-  return follow(
-      simulation, sink, control, [&] { return results_of(model, simulation, recorder); },
-      [&] { return recorder.top_tension(); });
 }
 
 }  // namespace overbend

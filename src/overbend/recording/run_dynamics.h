@@ -13,7 +13,7 @@ namespace overbend {
 struct DynamicProgress {
   double time = 0.0, end = 0.0;  ///< [s]
   std::int64_t steps = 0;
-  double top_tension = 0.0;  ///< At the tensioner; without a pipe the largest of the mooring lines [N].
+  double top_tension = 0.0;  ///< See Recorder::top_tension [N].
   /// Results up to now, without code checks; after t = 0 only, and only during the call.
   std::function<DynamicResults()> so_far{};
 };
@@ -26,10 +26,9 @@ struct DynamicOutcome {
   bool stopped = false;  ///< By the caller; the sink holds a checkpoint, that of an earlier row where rows take long.
 };
 
-/// Runs a simulation with a recorder, or goes on from a checkpoint; without a pipe that of a hull on its mooring lines,
-/// for which `statics` say nothing. The results of a run that was stopped and taken up
-/// again are those of one that was not, bit for bit. Histories, spectra and extremes are left to who has the
-/// sink, code checks to checks/run_checks.h.
+/// Runs a simulation with a recorder, or goes on from a checkpoint; `statics` are the results of the equilibrium that
+/// it starts from. The results of a run that was stopped and taken up again are those of one that was not, bit for bit.
+/// Histories, spectra and extremes are left to who has the sink, code checks to checks/run_checks.h.
 DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, const StaticResults& statics,
                             const DynamicOptions& options, DynamicSink& sink, const DynamicCheckpoint* from,
                             const std::function<DynamicControl(const DynamicProgress&)>& control);

@@ -31,7 +31,7 @@ struct DynamicCheckpoint {
 /// What a snapshot shows.
 struct SnapshotSize {
   int stations = 0;     ///< Of the pipe.
-  int line_points = 0;  ///< Of all mooring lines together.
+  int line_points = 0;  ///< Of all mooring lines and other lines together.
 
   bool operator==(const SnapshotSize&) const = default;
 };
@@ -41,7 +41,7 @@ class DynamicSink {
   virtual ~DynamicSink() = default;
   /// Once, before anything else. A snapshot holds, for each station, x, y, z [m], effective tension [N] and von Mises
   /// stress [Pa], then the twelve numbers of the vessel's pose: p_WV and R_WV by rows, and then, for each point of the
-  /// mooring lines, x, y, z [m] and effective tension [N].
+  /// mooring lines and of the lines that stand by themselves, x, y, z [m] and effective tension [N].
   virtual void begin(const std::vector<HistoryColumn>& columns, const SnapshotSize& size) = 0;
   /// A row of the table, as many values as columns.
   virtual void row(std::span<const double> values) = 0;

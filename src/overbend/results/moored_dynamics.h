@@ -76,4 +76,13 @@ struct MooringLineDynamics {
   std::vector<MooringEvent> events;  ///< The first fifty, by time.
 };
 
+/// A line that stands by itself over time.
+struct LineDynamics {
+  std::string name;
+  Spread first_tension, second_tension;                  ///< At the ends, along the line, negative where pushed [N].
+  double least_tension = 0.0, largest_tension = 0.0;     ///< Anywhere along the line [N].
+  std::optional<double> utilisation;                     ///< Largest tension over its segment's breaking load [-].
+  std::vector<double> least_at_nodes, largest_at_nodes;  ///< Tension, at the nodes from the first end [N].
+};
+
 }  // namespace overbend

@@ -37,50 +37,53 @@ Tensions catenary_tensions(double length, double span) {
   return {at.tension(), at.anchor_tension()};
 }
 
-/// Keeps tension and state of every row.
-class Rows : public SystemObserver {
+Vec3 force_at(const Instant& at, LineEnd end) {
+  return Eigen::Map<const Vec3>(at.assembly->line(0).end_force(end).data());
+}
+
+/// Keeps the largest tension, and looks at every step.
+class Steps : public SimulationObserver {
  public:
-  void stepped(const SystemRun& run) override {
-    const double tension = run.end_force(0, LineEnd::last).norm();
+  void stepped(const Instant& at) override {
+    const double tension = force_at(at, LineEnd::last).norm();
     most = std::max(most, tension);
-    if (look) look(run, tension);
+    if (look) look(at, tension);
   }
   double most = 0.0;
-  std::function<void(const SystemRun&, double)> look;
+  std::function<void(const Instant&, double)> look;
 };
 
 struct WinchCase {
-  explicit WinchCase(const Description& d) : rest(d), sea(make_sea(d.environment.waves, kDepth, 1)) {
-    system = rest.setup.system;
-  }
-  Attachment& fairlead() { return system.attachments.at(1); }
-  Attachment& anchor() { return system.attachments.at(0); }
+  explicit WinchCase(const Description& d) : rest(d), ends(rest.setup.system.attachments) {}
+  Attachment& fairlead() { return ends.at(1); }
+  Attachment& anchor() { return ends.at(0); }
   /// Runs from rest; what is left of it.
-  SystemRun& run(double duration, double build_up = 0.0, std::optional<double> fixed_step = {}) {
+  Simulation& run(double duration, double build_up = 0.0, std::optional<double> fixed_step = {}) {
     DynamicOptions options;
     options.duration = duration;
     options.build_up = build_up;
     options.output_step = 0.5;
     options.max_step = 0.1;
     options.fixed_step = fixed_step;
-    LeadEnds lead = moving_ends(rest.model, make_vessel_motion(rest.model, sea), options.build_up);
-    SystemState start = resting_lines(system, rest.state, rest.rest, -build_up);
-    if (commanded) command_speed(start.attachments.at(1).machine, *commanded);
-    if (left) leave_to_law(system.attachments.at(1).winch->tension, 0.0, start.attachments.at(1).machine);
-    made.emplace(system, std::move(lead), sea, std::move(start), options);
+    RunStart start = rest.start(options);
+    System& system = start.setup.system;
+    system.attachments = ends;
+    if (commanded) command_speed(start.state.attachments.at(1).machine, *commanded);
+    if (left) leave_to_law(system.attachments.at(1).winch->tension, 0.0, start.state.attachments.at(1).machine);
+    made.emplace(rest.model, std::move(start), options);
     made->observe(rows);
     return *made;
   }
-  const GivenWay& way(std::size_t end) const { return made->state().attachments.at(end).way; }
-  double tension() const { return made->end_force(0, LineEnd::last).norm(); }
+  const SystemState& state() const { return *made->now().state; }
+  const GivenWay& way(std::size_t end) const { return state().attachments.at(end).way; }
+  double tension(LineEnd end = LineEnd::last) const { return force_at(made->now(), end).norm(); }
 
   testing::RestingLines rest;
-  Sea sea;
-  System system;
-  Rows rows;
+  std::vector<Attachment> ends;
+  Steps rows;
   std::optional<double> commanded;  ///< Speed of the winch from the start [m/s].
   bool left = false;                ///< And no longer.
-  std::optional<SystemRun> made;
+  std::optional<Simulation> made;
 };
 
 class winch : public ::testing::TestWithParam<double> {};
@@ -96,10 +99,10 @@ TEST_P(winch, that_pays_out_and_hauls_in_smoothly_keeps_to_the_curve_of_rest) {
   WinchLaw law;
   const double done = add_move(law.program, 1.0, GetParam(), 0.1, 20.0);
   one.fairlead().winch = law;
-  SystemRun& run = one.run(done + 20.0);
+  Simulation& run = one.run(done + 20.0);
   double worst = 0.0;
-  one.rows.look = [&](const SystemRun& at, double tension) {
-    const double length = kLength + law.program.at(at.time()).length;
+  one.rows.look = [&](const Instant& at, double tension) {
+    const double length = kLength + law.program.at(at.state->time).length;
     const double rest = catenary_tensions(length, kSpan).fairlead;
     worst = std::max(worst, std::abs(tension / rest - 1.0));
   };
@@ -127,7 +130,7 @@ TEST(winch, whose_brake_renders_keeps_the_tension_it_bears_and_the_line_is_longe
   WinchLaw law;
   law.brake = 350e3;
   one.fairlead().winch = law;
-  SystemRun& run = one.run(45.0);
+  Simulation& run = one.run(45.0);
   ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
   EXPECT_LT(one.rows.most, 1.01 * law.brake);  // half a percent for every 0.1 m/s
   EXPECT_GT(one.rows.most, law.brake);
@@ -144,7 +147,7 @@ TEST(winch, stops_hauling_in_at_the_tension_at_which_it_stalls) {
   law.stall = 350e3;
   add_move(law.program, 1.0, -5.0, 0.2, 3.0);
   one.fairlead().winch = law;
-  SystemRun& run = one.run(40.0);
+  Simulation& run = one.run(40.0);
   ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
   EXPECT_LT(one.rows.most, 1.02 * law.stall);  // what swings on after it has stopped
   const double rest = catenary_tensions(kLength + one.way(1).moved, kSpan).fairlead;
@@ -165,7 +168,7 @@ TEST(winch, that_keeps_a_tension_hauls_in_until_it_is_there) {
   law.tension.acceleration = 0.05;
   law.tension.resolution = 3.0;
   one.fairlead().winch = law;
-  SystemRun& run = one.run(60.0);
+  Simulation& run = one.run(60.0);
   run.advance(2.0);
   EXPECT_EQ(one.way(1).moved, 0.0);  // within the delay
   ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
@@ -180,10 +183,10 @@ TEST(anchor, drags_at_its_holding_power_and_stays_where_it_was_dragged_to) {
   const double holding =
       0.5 * (catenary_tensions(kLength, kSpan).anchor + catenary_tensions(kLength, kSpan + 2.0).anchor);
   one.anchor().holding = holding;
-  SystemRun& run = one.run(45.0);
+  Simulation& run = one.run(45.0);
   double most = 0.0;
-  one.rows.look = [&](const SystemRun& at, double) {
-    most = std::max(most, tension_to_take(at.system().attachments[0], at.assembly().line(0)));
+  one.rows.look = [&](const Instant& at, double) {
+    most = std::max(most, tension_to_take(at.assembly->system().attachments[0], (*at.assembly).line(0)));
   };
   ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
   EXPECT_LT(most, 1.01 * holding);  // half a percent for every 0.1 m/s
@@ -206,13 +209,13 @@ TEST(parted_line, gains_the_momentum_of_the_force_it_lost) {
   WinchCase one(d);
   ASSERT_TRUE(one.rest.rest.converged());
   one.fairlead().parts_at = 0.05;
-  SystemRun& run = one.run(0.2);
+  Simulation& run = one.run(0.2);
   const double below = one.rest.first[0].norm(), weight = 16.0 * kGravity * 300.0;
   ASSERT_GT(below, 10e3);
   ASSERT_TRUE(run.advance(0.2)) << run.failure()->what;
-  EXPECT_TRUE(run.state().attachments[1].parted);
-  EXPECT_NEAR(run.end_force(0, LineEnd::first).norm(), below, 0.01 * below);
-  const std::vector<double>& v = run.state().lines[0].v;
+  EXPECT_TRUE(one.state().attachments[1].parted);
+  EXPECT_NEAR(one.tension(LineEnd::first), below, 0.01 * below);
+  const std::vector<double>& v = one.state().lines[0].v;
   const LineMesh& mesh = run.system().lines[0].mesh;
   double momentum = 0.0;
   for (std::size_t e = 0; e < mesh.length.size(); ++e) {
@@ -237,12 +240,12 @@ TEST(commanded_winch, pays_out_what_its_speed_and_its_ramp_make_with_a_balance_o
   WinchCase one(moored_wire());
   one.fairlead().winch = commanded_winch();
   one.commanded = 0.1;  // reached in a second
-  SystemRun& run = one.run(20.0);
+  Simulation& run = one.run(20.0);
   ASSERT_TRUE(run.advance(20.0)) << run.failure()->what;
   EXPECT_NEAR(one.way(1).moved, 0.1 * (20.0 - 0.5), 1e-12);
   EXPECT_EQ(one.way(1).rate, 0.1);
-  EXPECT_EQ(run.state().attachments[1].machine.state, TensionerState::pay_out);
-  EXPECT_NEAR(run.state().attachments[1].machine.tension, one.tension(), 1e-9 * one.tension());
+  EXPECT_EQ(one.state().attachments[1].machine.state, TensionerState::pay_out);
+  EXPECT_NEAR(one.state().attachments[1].machine.tension, one.tension(), 1e-9 * one.tension());
   EXPECT_LT(std::abs(run.energy().drift()), 1e-3);
 }
 
@@ -250,11 +253,11 @@ TEST(commanded_winch, stops_where_its_range_ends) {
   WinchCase one(moored_wire());
   one.fairlead().winch = commanded_winch();
   one.commanded = 0.5;  // more than it has
-  SystemRun& run = one.run(40.0);
+  Simulation& run = one.run(40.0);
   ASSERT_TRUE(run.advance(40.0)) << run.failure()->what;
   EXPECT_NEAR(one.way(1).moved, 5.0, 1e-5);
   EXPECT_EQ(one.way(1).rate, 0.0);
-  EXPECT_EQ(run.state().attachments[1].machine.state, TensionerState::at_limit);
+  EXPECT_EQ(one.state().attachments[1].machine.state, TensionerState::at_limit);
 }
 
 TEST(commanded_winch, stalls_as_one_with_a_program_does) {
@@ -262,7 +265,7 @@ TEST(commanded_winch, stalls_as_one_with_a_program_does) {
   one.fairlead().winch = commanded_winch();
   one.fairlead().winch->stall = 350e3;
   one.commanded = -0.2;
-  SystemRun& run = one.run(40.0);
+  Simulation& run = one.run(40.0);
   ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
   EXPECT_LT(one.rows.most, 1.02 * 350e3);  // what swings on after it has stopped
   const double rest = catenary_tensions(kLength + one.way(1).moved, kSpan).fairlead;
@@ -275,7 +278,7 @@ TEST(commanded_winch, renders_at_what_its_brake_bears) {
   one.fairlead().winch = commanded_winch();
   one.fairlead().winch->brake = 350e3;
   one.commanded = 0.0;
-  SystemRun& run = one.run(45.0);
+  Simulation& run = one.run(45.0);
   ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
   EXPECT_LT(one.rows.most, 1.01 * 350e3);
   EXPECT_GT(one.way(1).gave_way, 0.5);
@@ -289,9 +292,9 @@ TEST(commanded_winch, goes_back_to_its_program_when_it_is_left) {
   one.fairlead().winch = law;
   one.commanded = -0.1;
   one.left = true;
-  SystemRun& run = one.run(60.0);
+  Simulation& run = one.run(60.0);
   ASSERT_TRUE(run.advance(4.0));
-  EXPECT_FALSE(run.state().attachments[1].machine.commanded);
+  EXPECT_FALSE(one.state().attachments[1].machine.commanded);
   EXPECT_NEAR(one.way(1).rate, 0.1, 1e-9);
   ASSERT_TRUE(run.advance(60.0));
   EXPECT_NEAR(one.way(1).moved, 3.0, 0.05);
@@ -304,7 +307,7 @@ TEST(giving_ends, allocate_nothing_in_a_step) {
   add_move(law.program, 0.0, 1.0, 0.2, 3.0);
   one.fairlead().winch = law;
   one.anchor().holding = 300e3;
-  SystemRun& run = one.run(20.0);
+  Simulation& run = one.run(20.0);
   ASSERT_TRUE(run.advance(1.0));
   const long before = testing::allocation_count();
   ASSERT_TRUE(run.advance(10.0)) << run.failure()->what;

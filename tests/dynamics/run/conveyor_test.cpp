@@ -16,8 +16,10 @@ using testing::TimedLay;
 struct Laid {
   explicit Laid(const TimedLay& c, std::optional<double> element = {})
       : system(pipe_system(c.model, c.start, c.statics.top_tension)),
-        state(static_state(system, c.start, {}, 0.0)),
-        conveyor(c.model, system, element) {}
+        state(state_at_rest(system, {c.start.state.q}, 0.0)),
+        conveyor(c.model, system, element) {
+    lay_at_rest(system.lines.front(), c.start, state.lines.front());
+  }
 
   void pay_out(double length) {  // unstressed; the end is left where it is: bookkeeping asks for no balance
     const double* t = state.lines[0].q.data() + state.lines[0].q.size() - 3;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "recording/dynamic_recorder.h"
+#include "recording/recorder.h"
 #include "support/allocation_count.h"
 #include "support/bgl1_in_time.h"
 #include "support/memory_sink.h"
@@ -126,7 +126,7 @@ TEST(simulation, a_step_allocates_nothing) {
   const TimedLay& c = brief_case();
   Simulated simulation(c);
   EmptySink sink;
-  DynamicRecorder recorder(c.model, c.statics, simulation, sink);
+  Recorder recorder(c.model, c.statics, simulation, sink);
   Counter counter;
   simulation.observe(recorder);
   simulation.observe(counter);
@@ -141,7 +141,7 @@ TEST(simulation, a_restored_one_shows_the_same_present_and_goes_on_with_the_same
   const TimedLay& c = brief_case();
   Simulated whole(c), second(c);
   MemorySink a, b;
-  DynamicRecorder first_recorder(c.model, c.statics, whole, a), second_recorder(c.model, c.statics, second, b);
+  Recorder first_recorder(c.model, c.statics, whole, a), second_recorder(c.model, c.statics, second, b);
   whole.observe(first_recorder);
   second.observe(second_recorder);
   whole.advance(1.0);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dynamics/run/simulation.h"
-#include "recording/dynamic_recorder.h"
+#include "recording/recorder.h"
 #include "support/bgl1_in_time.h"
 #include "support/memory_sink.h"
 
@@ -51,14 +51,14 @@ struct Moved {
         simulation(c.model, c.start, c.statics.top_tension, dynamic_options(c.model)),
         recorder(c.model, c.statics, simulation, sink) {
     simulation.observe(recorder);
-    before = recorder.nodes();
+    before = recorder.pipe()->nodes();
     resting = reactions();
     EXPECT_TRUE(simulation.advance(simulation.end()));
   }
   TimedLay c;
   Simulation simulation;
   MemorySink sink;
-  DynamicRecorder recorder;
+  Recorder recorder;
   NodeValues before;
   std::vector<double> resting;
 
@@ -73,7 +73,7 @@ struct Moved {
 
 TEST(pull_ahead, pipe_lies_at_the_end_as_at_the_start) {
   const Moved moved(slippery());
-  const NodeValues &before = moved.before, &after = moved.recorder.nodes();
+  const NodeValues &before = moved.before, &after = moved.recorder.pipe()->nodes();
   ASSERT_EQ(after.x.size(), before.x.size());
   const double tension = before.effective_tension.back();
   const auto largest = [](const std::vector<double>& all) { return *std::max_element(all.begin(), all.end()); };
@@ -120,13 +120,13 @@ TEST(pull_ahead, resumes_in_the_middle_of_a_move_bit_for_bit) {
   const DynamicOptions options = dynamic_options(c.model);
   EmptySink sink;
   Simulation whole(c.model, c.start, c.statics.top_tension, options);
-  DynamicRecorder recorder(c.model, c.statics, whole, sink);
+  Recorder recorder(c.model, c.statics, whole, sink);
   whole.observe(recorder);
   ASSERT_TRUE(whole.advance(6.0));
-  EXPECT_GT(whole.now().pipe().q.size(), 6 * recorder.nodes().x.size());  // nodes have come in
+  EXPECT_GT(whole.now().pipe().q.size(), 6 * recorder.pipe()->nodes().x.size());  // nodes have come in
   const DynamicCheckpoint checkpoint = whole.checkpoint();
   Simulation resumed(c.model, c.start, c.statics.top_tension, options);
-  DynamicRecorder other(c.model, c.statics, resumed, sink);
+  Recorder other(c.model, c.statics, resumed, sink);
   resumed.observe(other);
   resumed.restore(checkpoint);
   EXPECT_EQ(resumed.tension(), whole.tension());
@@ -136,7 +136,7 @@ TEST(pull_ahead, resumes_in_the_middle_of_a_move_bit_for_bit) {
   EXPECT_EQ(resumed.now().pipe().acc, whole.now().pipe().acc);
   EXPECT_EQ(resumed.now().move.paid_out, whole.now().move.paid_out);
   EXPECT_EQ(resumed.energy().error, whole.energy().error);
-  EXPECT_EQ(other.nodes().von_mises, recorder.nodes().von_mises);
+  EXPECT_EQ(other.pipe()->nodes().von_mises, recorder.pipe()->nodes().von_mises);
 }
 
 TEST(pull_ahead, says_what_it_was_too_short_for_and_what_cannot_pay_out) {

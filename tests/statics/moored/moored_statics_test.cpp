@@ -8,7 +8,7 @@
 
 #include "base/constants.h"
 #include "base/json.h"
-#include "dynamics/run/moored_simulation.h"
+#include "dynamics/run/simulation.h"
 #include "recording/vessel_watch.h"
 #include "support/moored_lay.h"
 
@@ -327,9 +327,9 @@ TEST(moored_statics, a_load_straight_down_shifts_no_hull_that_is_drawn_heeled_in
   d.dynamics->duration = 1.0;
   const testing::SolvedHull hull(d);
   const VesselResult& rest = hull.rest.moorings->rest.vessel;
-  MooredSimulation simulation(hull.model, hull.start(), dynamic_options(hull.model));
+  Simulation simulation(hull.model, hull.start(), 0.0, dynamic_options(hull.model));
   ASSERT_FALSE(simulation.failure());
-  const VesselPose& pose = simulation.run().assembly().surroundings().bodies[0].pose;
+  const VesselPose& pose = simulation.now().assembly->surroundings().bodies[0].pose;
   const auto shift = shift_between(hull.model.drawn_pose, pose);
   EXPECT_NEAR(shift[0], rest.surge, 0.01);
   EXPECT_NEAR(shift[1], rest.sway, 0.01);

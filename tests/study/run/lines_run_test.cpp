@@ -12,6 +12,7 @@
 #include "resultfiles/lines/lines_writer.h"
 #include "runstore/run_store.h"
 #include "support/line_cases.h"
+#include "support/memory_sink.h"
 #include "support/solved_case.h"
 
 namespace overbend {
@@ -36,6 +37,16 @@ DynamicOptions short_run() {
   return options;
 }
 
+DynamicControl go_on(const DynamicProgress&) {
+  return DynamicControl::go_on;
+}
+
+/// A run whose histories are not kept.
+LinesOutcome in_time(const Model& model, const DynamicOptions& options) {
+  testing::EmptySink sink;
+  return run_lines(model, options, sink, nullptr, go_on);
+}
+
 TEST(lines_run, at_rest_tells_both_ends_of_every_line) {
   const Model model = build_model(two_chains());
   const LinesOutcome outcome = solve_lines(model);
@@ -55,7 +66,7 @@ TEST(lines_run, at_rest_tells_both_ends_of_every_line) {
 
 TEST(lines_run, in_time_swings_the_line_whose_end_moves_and_leaves_the_other) {
   const Model model = build_model(two_chains());
-  const LinesOutcome outcome = run_lines(model, short_run());
+  const LinesOutcome outcome = in_time(model, short_run());
   ASSERT_TRUE(outcome.results) << outcome.failure->what;
   const LineResult &west = outcome.results->lines[0], &east = outcome.results->lines[1];
   EXPECT_GT(west.second.in_time.max - west.second.in_time.min, 0.15e6);
@@ -71,9 +82,9 @@ TEST(lines_run, has_a_mean_and_a_deviation_that_do_not_hang_on_the_rows) {
   DynamicOptions options = short_run();
   options.duration = 20.0;
   options.output_step = 0.1;
-  const LinesOutcome fine = run_lines(model, options);
+  const LinesOutcome fine = in_time(model, options);
   options.output_step = 10.0;
-  const LinesOutcome coarse = run_lines(model, options);
+  const LinesOutcome coarse = in_time(model, options);
   ASSERT_TRUE(fine.results && coarse.results);
   const Spread &one = fine.results->lines[0].second.in_time, &other = coarse.results->lines[0].second.in_time;
   ASSERT_GT(one.std, 0.0);
@@ -89,7 +100,7 @@ TEST(lines_run, takes_the_breaking_load_of_each_segment_over_time) {
   segments[1].length = *segments[0].length - kWeak;
   segments[0].length = kWeak;
   segments[0].type.breaking_load = 1.2e6;
-  const LinesOutcome outcome = run_lines(build_model(d), short_run());
+  const LinesOutcome outcome = in_time(build_model(d), short_run());
   ASSERT_TRUE(outcome.results) << outcome.failure->what;
   const LineResult& west = outcome.results->lines[0];
   double use = 0.0;
@@ -105,10 +116,9 @@ TEST(lines_run, takes_the_breaking_load_of_each_segment_over_time) {
 TEST(lines_run, files_hold_what_was_found) {
   const Description description = two_chains();
   const Model model = build_model(description);
-  const LinesOutcome outcome = run_lines(model, short_run());
-  ASSERT_TRUE(outcome.results);
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "lines_run_test.results";
-  write_lines_run(*outcome.results, description, folder);
+  const LinesOutcome outcome = run_lines_in(folder, model, short_run(), false, go_on);
+  ASSERT_TRUE(outcome.results);
   const Json summary = read_json_file(folder / "summary.json");
   EXPECT_EQ(summary["static"]["lines"][1]["name"], "east");
   EXPECT_NEAR(summary["static"]["lines"][0]["second"]["tension"], 1.002e6, 2e3);
@@ -139,7 +149,7 @@ TEST(lines_run, refuses_an_end_that_leaps_at_the_beginning) {
   d.lines[0].second.phase = 0.5 * std::numbers::pi;  // 2 m up at t = 0
   DynamicOptions options = short_run();
   options.build_up = 0.0;
-  const LinesOutcome outcome = run_lines(build_model(d), options);
+  const LinesOutcome outcome = in_time(build_model(d), options);
   ASSERT_TRUE(outcome.failure);
   EXPECT_EQ(outcome.failure->key, "analysis.dynamic.build_up");
   EXPECT_NE(outcome.failure->why.find("leaps by 2 m"), std::string::npos) << outcome.failure->why;
@@ -152,7 +162,7 @@ TEST(lines_run, refuses_a_vessel_that_leaps_or_whose_record_ends_before_the_run)
   d.vessel.harmonic["heave"] = {1.0, 10.0, 0.5 * std::numbers::pi};
   DynamicOptions options = short_run();
   options.build_up = 0.0;
-  LinesOutcome outcome = run_lines(build_model(d), options);
+  LinesOutcome outcome = in_time(build_model(d), options);
   ASSERT_TRUE(outcome.failure);
   EXPECT_NE(outcome.failure->why.find("leaps by 1 m"), std::string::npos) << outcome.failure->why;
   d.vessel.motion = VesselMotion::history;
@@ -161,7 +171,7 @@ TEST(lines_run, refuses_a_vessel_that_leaps_or_whose_record_ends_before_the_run)
     d.vessel.history->time.push_back(i);
     d.vessel.history->freedoms.push_back({});
   }
-  outcome = run_lines(build_model(d), short_run());  // of 10 s
+  outcome = in_time(build_model(d), short_run());  // of 10 s
   ASSERT_TRUE(outcome.failure);
   EXPECT_EQ(outcome.failure->key, "vessel.motion.history");
 }
@@ -174,7 +184,7 @@ bool has_warning(const LinesResults& results, const std::string& words) {
 TEST(lines_run, warns_of_a_breaking_load_that_is_exceeded_in_time_alone) {
   Description d = two_chains();
   d.lines[0].segments[0].type.breaking_load = 1.05e6;  // 1,002 kN at rest, some 1,100 kN in time
-  const LinesOutcome outcome = run_lines(build_model(d), short_run());
+  const LinesOutcome outcome = in_time(build_model(d), short_run());
   ASSERT_TRUE(outcome.results);
   EXPECT_LT(*outcome.results->lines[0].utilisation, 1.0);
   EXPECT_TRUE(has_warning(*outcome.results, "line \"west\": its largest tension of the run is 1.0"));
@@ -203,13 +213,9 @@ TEST(lines_run, warns_of_a_sea_that_the_vessels_raos_do_not_reach) {
   d.vessel.raos->headings = {0.0, std::numbers::pi};
   d.vessel.raos->values.assign(2 * 2 * 6, 0.0);
   const Model model = build_model(d);
-  const LinesOutcome outcome = run_lines(model, dynamic_options(model));
+  const LinesOutcome outcome = in_time(model, dynamic_options(model));
   ASSERT_TRUE(outcome.results) << outcome.failure->what;
   EXPECT_TRUE(has_warning(*outcome.results, "lies above the highest frequency of the RAOs"));
-}
-
-DynamicControl go_on(const DynamicProgress&) {
-  return DynamicControl::go_on;
 }
 
 TEST(lines_run, stopped_and_taken_up_again_gives_the_same_bits) {
@@ -257,7 +263,7 @@ TEST(lines_run, a_seed_that_fails_leaves_the_others_their_results) {
     if (seed == 2) return LinesOutcome{std::nullopt, StaticFailure{"a step cannot be solved", "", ""}};
     DynamicOptions options = dynamic_options(model);
     options.seed = seed;
-    return run_lines(model, options);
+    return in_time(model, options);
   };
   const LineSeeds all = run_line_seeds(d, {1, 2, 3}, run);
   EXPECT_FALSE(all.failure);

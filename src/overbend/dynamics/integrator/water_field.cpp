@@ -124,4 +124,45 @@ void WaterField::nodes_at(const WaterMemory& memory, double time, std::vector<do
   }
 }
 
+WaterOnLines::WaterOnLines(const Sea& sea, const System& system, const SystemState& state, double build_up,
+                           double interval)
+    : sea_(&sea), build_up_(build_up), interval_(interval), memories_(system.lines.size()) {
+  for (std::size_t i = 0; i < system.lines.size(); ++i) {
+    fields_.emplace_back(sea, system.lines[i].mesh, state.lines[i].q, build_up, interval);
+  }
+}
+
+void WaterOnLines::start(const SystemState& state) {
+  if (calm()) return;
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    fields_[i].start(memories_[i], state.time, state.lines[i].q, state.lines[i].v);
+  }
+}
+
+void WaterOnLines::advance(const SystemState& state) {
+  if (calm()) return;
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    fields_[i].advance(memories_[i], state.lines[i].q, state.lines[i].v);
+  }
+}
+
+void WaterOnLines::fill(double time, std::vector<std::vector<double>>& water) {
+  if (calm()) return;
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    water[i].resize(static_cast<std::size_t>(kWaterValues) * fields_[i].nodes());
+    fields_[i].nodes_at(memories_[i], time, water[i]);
+  }
+}
+
+void WaterOnLines::renew(std::size_t line, const LineMesh& mesh, const SystemState& state) {
+  if (calm()) return;
+  const LineState& shape = state.lines[line];
+  fields_[line] = WaterField(*sea_, mesh, shape.q, build_up_, interval_);
+  fields_[line].renew(memories_[line], state.time, shape.q, shape.v);
+}
+
+void WaterOnLines::place_stations(std::size_t line, const LineMesh& mesh, std::vector<int> nodes) {
+  fields_[line] = WaterField(*sea_, mesh, std::move(nodes), build_up_, interval_);
+}
+
 }  // namespace overbend

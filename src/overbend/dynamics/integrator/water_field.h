@@ -15,6 +15,8 @@
 #include "mechanics/line_kernel.h"
 #include "mechanics/sea.h"
 #include "system/line_mesh.h"
+#include "system/state.h"
+#include "system/system.h"
 
 namespace overbend {
 
@@ -38,6 +40,7 @@ class WaterField {
   bool calm() const { return stations_.empty(); }
   double interval() const { return interval_; }
   std::size_t stations() const { return stations_.size(); }
+  std::size_t nodes() const { return share_.size(); }
   const std::vector<int>& station_nodes() const { return stations_; }
 
   /// Fills the memory for a run that starts at `time`.
@@ -61,6 +64,36 @@ class WaterField {
   std::vector<double> share_;       ///< Of every node: how far it is on to the next station [-].
   std::vector<Vec3> points_;
   std::vector<WaterValues> now_;  ///< At the stations.
+};
+
+/// The waves along all lines of a system, with what they remember.
+class WaterOnLines {
+ public:
+  /// Stations by the lines as they are in `state`. The sea must outlive it.
+  WaterOnLines(const Sea& sea, const System& system, const SystemState& state, double build_up, double interval);
+
+  bool calm() const { return fields_.empty() || fields_.front().calm(); }
+  /// From the time of a state on.
+  void start(const SystemState& state);
+  /// Moves on by one interval: to be called when time reaches the second moment.
+  void advance(const SystemState& state);
+  /// Waves at the nodes of all lines, as Surroundings::water; lengths are given on the first call.
+  void fill(double time, std::vector<std::vector<double>>& water);
+  /// Stations of a line whose mesh has changed, as it is in `state`.
+  void renew(std::size_t line, const LineMesh& mesh, const SystemState& state);
+
+  /// Nodes of a line at which its stations are; empty in calm water.
+  const std::vector<int>& stations(std::size_t line) const { return fields_[line].station_nodes(); }
+  /// Brings a line to such nodes of its mesh, before its memory is restored.
+  void place_stations(std::size_t line, const LineMesh& mesh, std::vector<int> nodes);
+  const std::vector<WaterMemory>& memories() const { return memories_; }
+  std::vector<WaterMemory>& memories() { return memories_; }
+
+ private:
+  const Sea* sea_;
+  double build_up_, interval_;
+  std::vector<WaterField> fields_;  ///< Line by line.
+  std::vector<WaterMemory> memories_;
 };
 
 /// Time between moments that serves a sea: an eighth of its shortest period, but a whole part of `output_step`.

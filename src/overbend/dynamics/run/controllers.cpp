@@ -68,11 +68,12 @@ void ready_winch(const Model& model, const std::string& name, System& system, st
 std::size_t fairlead_of(const std::string& name, const std::vector<std::string>& moorings, const System& system) {
   const auto named = std::find(moorings.begin(), moorings.end(), name);
   if (named == moorings.end()) {
-    std::vector<std::string> machines = {kTensionerMachine};
+    std::vector<std::string> machines;
+    if (system.machine >= 0) machines.push_back(kTensionerMachine);
     machines.insert(machines.end(), moorings.begin(), moorings.end());
     throw std::invalid_argument("there is no machine '" + name + "' to control; there are " + quoted(machines));
   }
-  const int line = static_cast<int>(named - moorings.begin()) + 1;
+  const int line = static_cast<int>(named - moorings.begin()) + static_cast<int>(first_mooring(system));
   for (std::size_t i = 0; i < system.attachments.size(); ++i) {
     if (system.attachments[i].line == line && system.attachments[i].end == LineEnd::last) return i;
   }
@@ -173,7 +174,7 @@ std::string at_time(double time) {
 
 Controllers::Controllers(const Model& model, const std::vector<ControllerUse>& uses,
                          const std::vector<std::string>& moorings, double start, System& system) {
-  machines_.push_back(tensioner_machine(system));
+  if (system.machine >= 0) machines_.push_back(tensioner_machine(system));
   std::vector<std::string> given;
   for (const ControllerUse& use : uses) {
     if (std::find(given.begin(), given.end(), use.machine) != given.end()) {
@@ -184,7 +185,8 @@ Controllers::Controllers(const Model& model, const std::vector<ControllerUse>& u
       throw std::invalid_argument(fmt::format("the interval of the controller of '{}' is {} s; {} s is the least",
                                               use.machine, use.interval, kShortestInterval));
     }
-    if (use.machine != kTensionerMachine) {
+    const bool tensioner = use.machine == kTensionerMachine && system.machine >= 0;
+    if (!tensioner) {
       CommandedMachine winch;
       winch.name = use.machine;
       winch.words = "the winch of mooring line '" + use.machine + "'";
@@ -192,7 +194,7 @@ Controllers::Controllers(const Model& model, const std::vector<ControllerUse>& u
       ready_winch(model, use.machine, system, winch.attachment);
       machines_.push_back(winch);
     }
-    CommandedMachine& machine = use.machine == kTensionerMachine ? machines_.front() : machines_.back();
+    CommandedMachine& machine = tensioner ? machines_.front() : machines_.back();
     machine.controller = use.controller;
     machine.interval = use.interval;
     machine.next = static_cast<std::int64_t>(std::ceil((start - kSameInstant) / use.interval));

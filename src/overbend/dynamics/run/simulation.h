@@ -1,4 +1,5 @@
-/// A dynamic analysis advanced step by step, with observers.
+/// A model advanced through time step by step, with observers: the one loop that a pipe on its vessel, a hull on its
+/// mooring lines and lines by themselves go through.
 ///
 ///     Simulation simulation(model, equilibrium, top_tension, options);
 ///     simulation.observe(recorder);
@@ -6,6 +7,10 @@
 ///
 /// The steps do not depend on the calls: step() again and again, advance() to any times and a whole run give the same
 /// results, bit for bit.
+///
+/// A step calls, in this order: lines that part, controllers; then, tried until one is accepted, the time step,
+/// impacts, the tensioner's events, lines that snap, limits of hulls; then the choice of the next step, energy, impacts
+/// that ended, the tensioner, observers; at a tick of the clock the waves and rows of output; at last the conveyor.
 #pragma once
 
 #include <optional>
@@ -14,6 +19,7 @@
 #include "dynamics/integrator/dynamic_clock.h"
 #include "dynamics/integrator/dynamics.h"
 #include "dynamics/integrator/energy_account.h"
+#include "dynamics/integrator/tension_watches.h"
 #include "dynamics/integrator/water_field.h"
 #include "dynamics/run/controllers.h"
 #include "dynamics/run/conveyor.h"
@@ -24,10 +30,14 @@ namespace overbend {
 
 class Simulation {
  public:
-  /// At rest in the static state, at the beginning of the build-up. `top_tension` is the effective tension at the
-  /// tensioner there [N]. Throws std::invalid_argument for a sea or a motion that cannot be made, and for controllers
-  /// of machines that are not there.
+  /// At rest in the static state, at the beginning of the build-up: that of the pipe, of the hull on its mooring lines
+  /// (solve_moored_hull(), by which `model` has its mean pose) or of lines by themselves. `top_tension` is the
+  /// effective tension at the tensioner there, where the model has one [N]. The model must outlive it. Throws
+  /// std::invalid_argument for a sea or a motion that cannot be made, and for controllers of machines that are not
+  /// there. There may be no rest: see failure().
   Simulation(const Model& model, const StaticSolution& start, double top_tension, const DynamicOptions& options);
+  /// The same from what make_run_start() gives, or another start of its form: with other ends of lines, say.
+  Simulation(const Model& model, RunStart start, const DynamicOptions& options);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
@@ -54,16 +64,19 @@ class Simulation {
   const System& system() const { return setup_.system; }
   /// Those of the supports, in their order, whichever body carries them.
   const std::vector<BodyRoller>& rollers() const { return setup_.rollers; }
-  /// Names of the mooring lines, which follow the pipe among the lines of the system.
+  /// Names of the mooring lines, which follow the pipe among the lines of the system, and of the lines that stand by
+  /// themselves, which follow these.
   const std::vector<std::string>& moorings() const { return setup_.mooring_names; }
+  const std::vector<std::string>& lines() const { return setup_.line_names; }
   const DynamicOptions& options() const { return options_; }
   /// The way on which the vessel is moved ahead; null where it is not.
   const MoveProfile* move() const { return setup_.move ? &*setup_.move : nullptr; }
-  /// The vessel that floats free; null where its motion is told.
+  /// The vessel that floats free; null where its motion is prescribed.
   const Hull* hull() const { return setup_.hull ? &setup_.hull->hull : nullptr; }
   /// The present, with the system evaluated at the state: tension, moments, contacts and surroundings can be read.
   Instant now() const;
-  double tension() const { return assembly_->machine_tension(); }  ///< Force of the tensioner on the pipe [N].
+  /// Force of the tensioner on the pipe; 0 without one [N].
+  double tension() const { return setup_.system.machine < 0 ? 0.0 : assembly_->machine_tension(); }
   const EnergyBalance& energy() const { return energy_.balance(); }
   const DynamicRunReport& report() const { return report_; }  ///< Without what a driver knows: ratio and integrator.
 
@@ -82,17 +95,13 @@ class Simulation {
   void restore(const DynamicCheckpoint& checkpoint);
 
  private:
-  Simulation(const Model& model, const DynamicOptions& options, const StaticSolution& start, double top_tension);
-  const Line& pipe() const { return setup_.system.lines.front(); }
-  const std::vector<RollerContact>& contacts() const { return assembly_->line(0).contacts().contacts(); }
-  AttachmentState& tensioner(SystemState& state) const { return state.attachments[machine()]; }
-  const AttachmentState& tensioner(const SystemState& state) const { return state.attachments[machine()]; }
-  std::size_t machine() const { return static_cast<std::size_t>(setup_.system.machine); }
-  TensionerLaw& set_law() { return setup_.system.attachments[machine()].tensioner; }
+  bool has_tensioner() const { return setup_.system.machine >= 0; }
+  const AttachmentState* tensioner() const {
+    return has_tensioner() ? &state_.attachments[static_cast<std::size_t>(setup_.system.machine)] : nullptr;
+  }
   void surroundings(double time, Surroundings& now);
-  bool begin();
-  void let_hull_go();
-  void rest_moorings();
+  void begin();
+  double energy_scale() const;
   bool part_lines();
   void ask_controllers();
   bool attempt(double h, double target, double& to_event, EventTry& tried);
@@ -104,20 +113,16 @@ class Simulation {
   void adapt(double h);
   void evaluate_present();
   void restore_pipe(const DynamicCheckpoint& checkpoint);
-  void observe_tension(SystemState& state, double h);
   void find_elevation();
   double to_timed_event() const;
-  double step_to_tensioner(double h, EventTry& tried) const;
 
   DynamicOptions options_;
   RunSetup setup_;
   Clock clock_;
   Controllers controllers_;
-  std::vector<WaterField> water_;  ///< Line by line.
-  std::vector<WaterMemory> water_memory_;
-  Vec3 shoe_;               ///< Mean place of the stern shoe before any move, W [m].
+  std::optional<WaterOnLines> water_;
   Vec3 ahead_W_;            ///< Horizontal unit vector ahead along the lay route.
-  double elevation_ = 0.0;  ///< Of the water there, now [m].
+  double elevation_ = 0.0;  ///< Of the water at the setup's place, now [m].
   std::optional<Assembly> assembly_;
   std::optional<TimeStepper> stepper_;
   std::optional<ImpactTracker> tracker_;
@@ -125,7 +130,7 @@ class Simulation {
   EnergyAccount energy_;
   SystemState state_, next_;
   StepChooser chooser_;
-  TensionWatch watch_;
+  TensionWatches watches_;
   std::vector<EndedImpact> ended_;
   DynamicRunReport report_;
   std::optional<StaticFailure> failure_;

@@ -11,17 +11,17 @@ DynamicCheckpoint Simulation::checkpoint() const {
   DynamicCheckpoint c;
   c.time = state_.time;
   save_state(c, state_);
-  save_water(c, water_memory_);
+  save_water(c, water_->memories());
   if (conveyor_) {
     c.arrays.push_back({"conveyor", conveyor_->save(setup_.system)});
-    const std::vector<int>& stations = water_.front().station_nodes();
+    const std::vector<int>& stations = water_->stations(0);
     if (!stations.empty()) c.arrays.push_back({"conveyor/stations", {stations.begin(), stations.end()}});
   }
   c.arrays.push_back({"impacts", tracker_->save()});
   c.arrays.push_back({"energy", energy_.save()});
   c.arrays.push_back({"steps", chooser_.save()});
-  c.arrays.push_back(
-      {"control", {static_cast<double>(clock_.tick), watch_.last, watch_.slope, watch_.least, watch_.most}});
+  c.arrays.push_back({"control", {static_cast<double>(clock_.tick)}});
+  c.arrays.push_back({"watches", watches_.save()});
   controllers_.save(setup_.system, c);
   save_report(c, report_);
   for (const SimulationObserver* observer : observers_) observer->save(c);
@@ -30,13 +30,12 @@ DynamicCheckpoint Simulation::checkpoint() const {
 
 void Simulation::restore(const DynamicCheckpoint& checkpoint) {
   restore_state(checkpoint, state_);
-  restore_water(checkpoint, water_memory_);
+  restore_water(checkpoint, water_->memories());
   if (conveyor_) restore_pipe(checkpoint);
   tracker_->restore(checkpoint_array(checkpoint, "impacts"));
   energy_.restore(checkpoint_array(checkpoint, "energy"));
-  const std::vector<double>& control = checkpoint_array(checkpoint, "control");
-  watch_ = {control.at(1), control.at(2), control.at(3), control.at(4)};
-  clock_.tick = std::llround(control.at(0));
+  clock_.tick = std::llround(checkpoint_array(checkpoint, "control").at(0));
+  watches_.restore(checkpoint_array(checkpoint, "watches"));
   chooser_.restore(checkpoint_array(checkpoint, "steps"));
   controllers_.restore(checkpoint, setup_.system);
   restore_report(checkpoint, report_);
@@ -48,24 +47,23 @@ void Simulation::restore(const DynamicCheckpoint& checkpoint) {
     stepper_->forget();
     evaluate_present();
   }
+  next_ = state_;
   for (SimulationObserver* observer : observers_) observer->restore(checkpoint);
 }
 
 /// The pipe's mesh, and the stations of the waves along it.
 void Simulation::restore_pipe(const DynamicCheckpoint& checkpoint) {
   conveyor_->restore(checkpoint_array(checkpoint, "conveyor"), setup_.system);
-  if (!water_.front().calm()) {
-    const std::vector<double>& stations = checkpoint_array(checkpoint, "conveyor/stations");
-    water_.front() = WaterField(setup_.sea, setup_.system.lines.front().mesh,
-                                std::vector<int>(stations.begin(), stations.end()), options_.build_up, setup_.interval);
-  }
+  if (water_->calm()) return;
+  const std::vector<double>& stations = checkpoint_array(checkpoint, "conveyor/stations");
+  water_->place_stations(0, setup_.system.lines.front().mesh, {stations.begin(), stations.end()});
 }
 
 /// Brings the system to the state restored, so that the present can be read. The state itself keeps its bits.
 void Simulation::evaluate_present() {
   SystemState at = state_;
   assembly_->set_time(at.time, at);
-  assembly_->set_drive(tensioner(at).machine.drive);
+  if (has_tensioner()) assembly_->set_drive(tensioner()->machine.drive);
   assembly_->evaluate(at, state_, {}, false);
   find_elevation();
 }

@@ -80,18 +80,9 @@ System pipe_system(const Model& model, const StaticSolution& solution, double st
   return system;
 }
 
-SystemState static_state(const System& system, const StaticSolution& solution,
-                         const std::vector<std::vector<double>>& moorings, double time) {
-  std::vector<std::vector<double>> shapes = {solution.state.q};
-  shapes.insert(shapes.end(), moorings.begin(), moorings.end());
-  SystemState state = state_at_rest(system, shapes, time);
-  const Line& line = system.lines.front();
-  LineState& pipe = state.lines.front();
-  if (!solution.bending.empty()) {
-    pipe.bending = BendingMemories(solution.bending);
-  }
+void lay_at_rest(const Line& line, const StaticSolution& solution, LineState& pipe) {
+  if (!solution.bending.empty()) pipe.bending = BendingMemories(solution.bending);
   stretch_bed(line, pipe);
-  return state;
 }
 
 }  // namespace overbend

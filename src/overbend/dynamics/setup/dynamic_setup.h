@@ -15,9 +15,8 @@ TensionerLaw tensioner_law(const TensionerDescription& tensioner, double static_
 /// caller.
 System pipe_system(const Model& model, const StaticSolution& solution, double static_tension);
 
-/// The equilibrium as a state at rest at `time`: the bed's friction stretched as statics left it, accelerations zero.
-/// `moorings`: first shapes of the lines behind the pipe.
-SystemState static_state(const System& system, const StaticSolution& solution,
-                         const std::vector<std::vector<double>>& moorings, double time);
+/// Puts memories of the pipe's equilibrium into its state at rest: what its steel has been through, the bed's friction
+/// stretched as statics left it.
+void lay_at_rest(const Line& line, const StaticSolution& solution, LineState& pipe);
 
 }  // namespace overbend

@@ -50,6 +50,7 @@ double tail_to_hold(const Model& model, double top_tension) {
 }
 
 StaticSolution with_laid_tail(const Model& model, const StaticSolution& solution, double top_tension, double reach) {
+  if (!model.description.has_pipe) return solution;
   const double wanted = tail_to_hold(model, top_tension);
   const bool shaped = model.seabed.surface.shape() != nullptr;  // where the pipe would lie beyond is not known
   if (shaped || model.description.pipe.length || !std::isfinite(wanted)) {

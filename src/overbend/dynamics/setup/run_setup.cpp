@@ -3,11 +3,16 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/integrator/dynamic_clock.h"
 #include "dynamics/integrator/water_field.h"
+#include "dynamics/setup/bed_stretch.h"
+#include "dynamics/setup/free_start.h"
+#include "dynamics/setup/laid_tail.h"
 #include "dynamics/setup/pull_ahead.h"
 #include "dynamics/setup/quasi_static_lines.h"
 #include "dynamics/setup/stinger_setup.h"
 #include "moorings/equilibrium.h"
+#include "statics/solver/lines_setup.h"
 
 namespace overbend {
 namespace {
@@ -22,6 +27,20 @@ void add_moorings(const Model& model, const StaticSolution& start, RunSetup& set
   if (is_quasi_static(model.description)) return;
   setup.moorings = add_mooring_lines(model, *start.moorings, setup.system);
   follow_programs(*start.moorings, winch_programs(start), setup.system);
+}
+
+/// Lines that stand by themselves, as they rest.
+void add_lines(const Model& model, const StaticSolution& start, RunSetup& setup) {
+  if (!start.lines) return;
+  const System& resting = start.lines->setup.system;
+  System& system = setup.system;
+  setup.swings = end_swings(model.description.lines, system.attachments.size());
+  for (Attachment end : resting.attachments) {
+    end.line += static_cast<int>(system.lines.size());
+    system.attachments.push_back(end);
+  }
+  system.lines.insert(system.lines.end(), resting.lines.begin(), resting.lines.end());
+  for (const FreeLineDescription& line : model.description.lines) setup.line_names.push_back(line.name);
 }
 
 /// Of the balance of a hull: of its pipe, else of what keeps it in its place.
@@ -71,6 +90,7 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
   RunSetup setup;
   const Description& d = model.description;
   setup.sea = make_sea(d.environment.waves, d.environment.water_depth, options.seed);
+  setup.water_place = d.has_pipe ? point_from_ramp(model, model.mean_pose, Vec3::Zero()) : model.mean_pose.p_WV;
   if (d.has_pipe) {
     setup.system = pipe_system(model, start, static_tension);
     setup.rollers = setup.system.bodies.front().rollers;
@@ -79,6 +99,7 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
     setup.system.bodies.emplace_back();  // the vessel
   }
   add_moorings(model, start, setup);
+  add_lines(model, start, setup);
   add_motion(model, start, options, setup);
   add_move(model, start, setup);
   setup.system.build_up = options.build_up;
@@ -86,10 +107,60 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
   return setup;
 }
 
-void move_vessel(const RunSetup& setup, double time, Surroundings& now) {
-  if (setup.hull) return;
-  const MoveAhead ahead{setup.move ? setup.move->at(time) : WayPoint{}, setup.wave_numbers_ahead};
-  now.bodies.front() = vessel_motion(setup.motion, ahead, time, half_cosine(time, setup.system.build_up));
+RunStart make_run_start(const Model& model, const StaticSolution& start, double top_tension,
+                        const DynamicOptions& options) {
+  const StaticSolution longer = with_laid_tail(model, start, top_tension, options.tail_reach);
+  RunSetup setup = make_setup(model, longer, top_tension, options);
+  SystemState state = state_at_start(setup, longer, make_clock(options, setup.interval).time());
+  return {std::move(setup), std::move(state)};
+}
+
+void lead_bodies_and_ends(const RunSetup& setup, double time, Surroundings& now) {
+  if (!setup.hull) {
+    const MoveAhead ahead{setup.move ? setup.move->at(time) : WayPoint{}, setup.wave_numbers_ahead};
+    now.bodies.front() = vessel_motion(setup.motion, ahead, time, half_cosine(time, setup.system.build_up));
+  }
+  lead_attachments(setup.system, now);
+  swing_ends(setup.swings, time, setup.system.build_up, now.ends);
+}
+
+SystemState state_at_start(const RunSetup& setup, const StaticSolution& start, double time) {
+  const System& system = setup.system;
+  LineShapes shapes;
+  if (system.machine >= 0) shapes.push_back(start.state.q);
+  shapes.insert(shapes.end(), setup.moorings.begin(), setup.moorings.end());
+  const std::size_t first_line = shapes.size();
+  for (std::size_t i = 0; i < setup.line_names.size(); ++i) shapes.push_back(start.lines->state.lines[i].q);
+  SystemState state = state_at_rest(system, shapes, time);
+  if (system.machine >= 0) lay_at_rest(system.lines.front(), start, state.lines.front());
+  for (std::size_t i = 0; i < setup.line_names.size(); ++i) {
+    LineState& line = state.lines[first_line + i];
+    if (start.lines->rest.in_bows[i]) {
+      line.bed_slip = start.lines->state.lines[i].bed_slip;
+    } else {
+      stretch_bed(system.lines[first_line + i], line);
+    }
+  }
+  return state;
+}
+
+std::optional<StaticFailure> come_to_rest(RunSetup& setup, const Vec6& release, SystemState& state) {
+  System& system = setup.system;
+  if (setup.hull) {
+    std::optional<StaticFailure> failure = let_hull_go(system, setup.ballast, setup.hull->hull, release, state);
+    if (system.machine >= 0) {
+      const std::size_t machine = static_cast<std::size_t>(system.machine);
+      MotionValues& travel = state.attachments[machine].travel;
+      Attachment& top = system.attachments[machine];
+      top.place -= travel.q * top.direction;
+      travel = {};
+    }
+    return failure;
+  }
+  if (setup.moorings.empty()) return std::nullopt;
+  Assembly assembly(system);
+  assembly.set_time(state.time, state);
+  return rest_mooring_lines(system, assembly.surroundings().bodies, setup.mooring_names, state);
 }
 
 }  // namespace overbend

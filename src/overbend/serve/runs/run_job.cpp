@@ -71,12 +71,11 @@ std::string run_lines_into(const std::filesystem::path& folder, Description desc
   if (run.duration > 0.0) set_duration(description, run.duration);
   if (!description.dynamics) return failure_line(without_dynamics());
   const Model model = build_model(description);
-  const LinesOutcome outcome = run_lines(model, dynamic_options(model));
-  if (outcome.stopped) throw Interrupted();
-  if (outcome.failure) return failure_line(*outcome.failure);
   const std::lock_guard hold(files);
-  write_lines_run(*outcome.results, description, folder);
-  return "";
+  const LinesOutcome outcome = run_lines_in(folder, model, dynamic_options(model), false,
+                                            [](const DynamicProgress&) { return DynamicControl::go_on; });
+  if (outcome.stopped) throw Interrupted();
+  return outcome.failure ? failure_line(*outcome.failure) : "";
 }
 
 /// One core is left for the page: its statics are solved while a study runs.

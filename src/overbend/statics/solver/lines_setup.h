@@ -17,6 +17,13 @@ struct LinesSetup {
 
 LinesSetup lines_setup(const Model& model);
 
+/// Such lines at rest: what a run in time starts from.
+struct LinesAtRest {
+  LinesSetup setup;
+  SystemState state;
+  LinesRest rest;
+};
+
 /// A state with the shapes of the first guess, at rest at `time`.
 SystemState start_of(const LinesSetup& setup, double time);
 

@@ -13,6 +13,7 @@
 
 namespace overbend {
 
+struct LinesAtRest;
 struct StaticSolution;
 
 /// How the line lay before it came to lie as it is looked for: its steel remembers.
@@ -48,10 +49,11 @@ struct StaticSolution {
   std::optional<MooringSpread> moorings;  ///< Its mooring lines with their lengths, where it has any.
   Mat6 station_stiffness = Mat6::Zero();  ///< Of these about the centre of gravity of a hull that floats [N/m, N, N m].
   std::optional<WinchPlan> winches;       ///< What they do when it is pulled ahead.
-  LinePast past;                          ///< What it was solved from.
-  StingerAtRest stinger;                  ///< Of a stinger on hinges, see statics/stinger/stinger_rest.h.
-  std::optional<MeshZones> zones;         ///< What its mesh was made for.
-  MeshDescription mesh_asked;             ///< Elements that the model asked for.
+  std::shared_ptr<const LinesAtRest> lines;  ///< Those that stand by themselves (lines_setup.h), where there are any.
+  LinePast past;                             ///< What it was solved from.
+  StingerAtRest stinger;                     ///< Of a stinger on hinges, see statics/stinger/stinger_rest.h.
+  std::optional<MeshZones> zones;            ///< What its mesh was made for.
+  MeshDescription mesh_asked;                ///< Elements that the model asked for.
 };
 
 /// The equations of a line on a mesh, with its past.

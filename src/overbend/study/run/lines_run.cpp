@@ -9,12 +9,8 @@
 #include "base/interruption.h"
 #include "base/shown_unit.h"
 #include "checks/run_checks.h"
-#include "dynamics/run/lines_in_time.h"
 #include "dynamics/setup/dynamic_obstacle.h"
-#include "dynamics/setup/start_leap.h"
-#include "model/pipe/line_types.h"
 #include "model/vessel/station.h"
-#include "recording/reach_row.h"
 #include "report/report.h"
 #include "resultfiles/lines/lines_writer.h"
 #include "runstore/run_store.h"
@@ -38,9 +34,7 @@ std::optional<StaticFailure> obstacle_of(const Description& description) {
 
 /// The lines of a model at rest, and what a run starts from.
 struct RestOfModel {
-  LinesSetup setup;
-  SystemState state;
-  LinesRest rest;
+  std::shared_ptr<LinesAtRest> lines;
   LinesOutcome outcome;
 };
 
@@ -52,99 +46,36 @@ StaticFailure failure_of(const Model& model, const LinesRest& rest) {
 }
 
 RestOfModel rest_of(const Model& model) {
-  RestOfModel found{lines_setup(model), {}, {}, {}};
-  found.state = start_of(found.setup, 0.0);
-  Assembly assembly(found.setup.system);
-  found.rest = rest_lines(assembly, found.state);
-  if (found.rest.converged()) {
-    found.outcome.results = recover_lines(model, assembly, found.state, found.rest);
+  RestOfModel found{std::make_shared<LinesAtRest>(LinesAtRest{lines_setup(model), {}, {}}), {}};
+  LinesAtRest& lines = *found.lines;
+  lines.state = start_of(lines.setup, 0.0);
+  Assembly assembly(lines.setup.system);
+  lines.rest = rest_lines(assembly, lines.state);
+  if (lines.rest.converged()) {
+    found.outcome.results = recover_lines(model, assembly, lines.state, lines.rest);
   } else {
-    found.outcome.failure = failure_of(model, found.rest);
+    found.outcome.failure = failure_of(model, lines.rest);
   }
   return found;
 }
 
-void add_history(const LineHistory& history, LineResult& line) {
-  const std::vector<double> deviation = history.ends.standard_deviation();
-  line.first.in_time = {history.least_first, history.most_first, history.ends.mean()[0], deviation[0]};
-  line.second.in_time = {history.least_last, history.most_last, history.ends.mean()[1], deviation[1]};
-  line.first_history = history.first;
-  line.second_history = history.last;
+void add_motion(const LineDynamics& motion, LineResult& line) {
+  line.first.in_time = motion.first_tension;
+  line.second.in_time = motion.second_tension;
   for (std::size_t node = 0; node < line.nodes.size(); ++node) {
-    line.nodes[node].least_tension = history.least_tension[node];
-    line.nodes[node].largest_tension = history.most_tension[node];
+    line.nodes[node].least_tension = motion.least_at_nodes[node];
+    line.nodes[node].largest_tension = motion.largest_at_nodes[node];
   }
-  line.least_in_time = *std::min_element(history.least_tension.begin(), history.least_tension.end());
-  line.largest_in_time = *std::max_element(history.most_tension.begin(), history.most_tension.end());
+  line.least_in_time = motion.least_tension;
+  line.largest_in_time = motion.largest_tension;
+  line.utilisation_in_time = motion.utilisation;
 }
 
-constexpr double kSlack = 0.01;      ///< Of the largest tension at rest: less is slack.
-constexpr double kPushed = 0.01;     ///< Compression, of the largest tension: worth a word [-].
-constexpr double kSmallLeap = 1e-3;  ///< Of an end at t = 0, not worth a word [m].
-
-/// Largest share of a breaking load over the run, each segment by its own: not that used most at rest need be the one.
-/// None where no segment says.
-std::optional<double> use_in_time(const FreeLineDescription& description, const LineResult& line) {
-  std::optional<double> use;
-  double from = 0.0;
-  for (const LineSegmentDescription& segment : description.segments) {
-    const double to = from + segment.length.value_or(0.0);
-    for (const LineNodeResult& node : line.nodes) {
-      if (!segment.type.breaking_load || node.s < from - 1e-9 || node.s > to + 1e-9) continue;
-      use = std::max(use.value_or(0.0), node.largest_tension / *segment.type.breaking_load);
-    }
-    from = to;
-  }
-  return use;
-}
-
-/// What in the run calls for a second look.
-void warn_of_motion(const Model& model, const DynamicOptions& options, LinesResults& results) {
-  for (std::size_t i = 0; i < results.lines.size(); ++i) {
-    const LineResult& line = results.lines[i];
-    if (const double use = line.utilisation_in_time.value_or(0.0); use > 1.0) {
-      results.findings.push_back(Finding{
-          FindingCode::breaking_load_exceeded,
-          fmt::format("line \"{}\": its largest tension of the run is {:.2f} times its breaking load", line.name, use)}
-                                     .on("line " + line.name)
-                                     .with("utilisation", use, "1"));
-    }
-    const auto& segments = model.description.lines[i].segments;
-    const bool only_pulls =
-        std::ranges::none_of(segments, [](const auto& segment) { return bears_compression(segment.type); });
-    if (only_pulls && line.least_in_time < kSlack * line.largest_tension) {
-      results.findings.push_back(
-          Finding{FindingCode::line_snaps,
-                  fmt::format("line \"{}\": falls slack and snaps tight, with up to {}: how hard hangs on its internal "
-                              "damping, which is taken as 1 % of critical; do not let it fall slack",
-                              line.name, shown_digits(line.largest_in_time, "N", 3))}
-              .on("line " + line.name)
-              .with("tension", line.largest_in_time, "N"));
-    } else if (line.least_in_time < -kPushed * line.largest_in_time) {
-      results.findings.push_back(
-          Finding{FindingCode::line_compressed,
-                  fmt::format("line \"{}\": falls slack, and where it is pushed bears {} of compression at most: it "
-                              "may buckle, which the model represents only as far as its elements allow",
-                              line.name, shown_digits(-line.least_in_time, "N", 3))}
-              .on("line " + line.name)
-              .with("tension", line.least_in_time, "N"));
-    }
-  }
-  if (const double leap = line_leap_at_start(model, options); leap > kSmallLeap) {
-    results.findings.push_back(
-        Finding{FindingCode::start_without_build_up,
-                fmt::format("without build-up an end leaps by {} from where statics have it: what rings after t = 0 "
-                            "comes from that; give some periods (analysis.dynamic.build_up)",
-                            shown_digits(leap, "m", 3))}
-            .with("distance", leap, "m"));
-  }
-  DynamicResults run;
-  run.duration = options.duration;
-  run.build_up = options.build_up;
-  run.seed = options.seed;
+/// What in the sea and the balance of energy of a run calls for a second look.
+void warn_of_run(const Model& model, DynamicResults& run, LinesResults& results) {
   warn_of_sea(model.description, run);
   warn_of_energy(results.energy_drift, model.description.dynamics && model.description.dynamics->step, run);
-  results.findings.insert(results.findings.end(), run.findings.begin(), run.findings.end());
+  append(results.findings, run.findings);
 }
 
 }  // namespace
@@ -163,55 +94,49 @@ LinesOutcome solve_lines(const Model& model) {
   return outcome;
 }
 
-LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const LinesSitting& sitting) {
+LinesOutcome run_lines(const Model& model, const DynamicOptions& options, DynamicSink& sink,
+                       const DynamicCheckpoint* from,
+                       const std::function<DynamicControl(const DynamicProgress&)>& control) {
   if (const auto obstacle = obstacle_of(model.description)) return {std::nullopt, *obstacle};
   if (const auto obstacle = lines_obstacle(model, options)) return {std::nullopt, *obstacle};
   RestOfModel found = rest_of(model);
   if (found.outcome.failure) return found.outcome;
-  const EnvironmentDescription& around = model.description.environment;
-  const Sea sea = make_sea(around.waves, around.water_depth, options.seed);
-  System system = std::move(found.setup.system);
-  LeadEnds lead = moving_ends(model, make_vessel_motion(model, sea), options.build_up);
-  LineRecorder recorder(system);
-  SystemState start = resting_lines(system, found.state, found.rest, -options.build_up);
-  SystemRun run(std::move(system), std::move(lead), sea, std::move(start), options);
-  run.observe(recorder);
-  if (sitting.from != nullptr) run.restore(*sitting.from);
-  while (!run.finished()) {
-    if (!reach_row(run)) return {std::nullopt, std::nullopt, true};
-    if (run.failure()) return {std::nullopt, run.failure()};
-    if (!sitting.control) continue;
-    const DynamicControl wanted =
-        sitting.control({run.time(), run.end(), run.report().steps, run.end_force(0, LineEnd::last).norm()});
-    if (wanted != DynamicControl::go_on) sitting.keep(run.checkpoint());
-    if (wanted == DynamicControl::stop && !run.finished()) return {std::nullopt, std::nullopt, true};
-  }
   LinesResults& results = *found.outcome.results;
+  StaticSolution start;
+  start.lines = found.lines;
+  StaticResults statics;
+  statics.lines = results.lines;
+  DynamicOutcome run = run_dynamics(model, start, statics, options, sink, from, control);
+  if (!run.results || run.stopped) return {std::nullopt, run.failure, run.stopped};
   results.moved = true;
-  results.steps = static_cast<int>(run.report().steps);
-  results.energy_drift = run.energy().drift();
-  results.time = recorder.histories().front().time;
-  for (std::size_t i = 0; i < results.lines.size(); ++i) {
-    add_history(recorder.histories()[i], results.lines[i]);
-    results.lines[i].utilisation_in_time = use_in_time(model.description.lines[i], results.lines[i]);
-  }
-  warn_of_motion(model, options, results);
+  results.steps = static_cast<int>(run.results->run.steps);
+  results.energy_drift = run.results->energy.drift();
+  for (std::size_t i = 0; i < results.lines.size(); ++i) add_motion(run.results->lines[i], results.lines[i]);
+  warn_of_run(model, *run.results, results);
   fill_checks(model, results);
   accept(results.findings, model.description.checks.accepted_findings);
   return found.outcome;
 }
+
+namespace {
+
+std::vector<double> column_named(const RunStore& store, const std::string& name) {
+  for (std::size_t i = 0; i < store.columns().size(); ++i) {
+    if (store.columns()[i].name == name) return store.column(i);
+  }
+  return {};
+}
+
+}  // namespace
 
 LinesOutcome run_lines_in(const std::filesystem::path& folder, const Model& model, const DynamicOptions& options,
                           bool resume, const std::function<DynamicControl(const DynamicProgress&)>& control) {
   const std::string input = input_text(model.description);
   std::optional<ResumedRun> resumed = resume ? RunStore::resume(folder, input, options.seed) : std::nullopt;
   RunStore store = resumed ? std::move(resumed->store) : RunStore::create(folder, input, options.seed);
-  store.begin({{"time", "s", "Time; the histories are in the checkpoint"}}, {});
-  const LinesSitting sitting{resumed ? &resumed->state : nullptr, control,
-                             [&](const DynamicCheckpoint& state) { store.checkpoint(state); }};
   LinesOutcome outcome;
   try {
-    outcome = run_lines(model, options, sitting);
+    outcome = run_lines(model, options, store, resumed ? &resumed->state : nullptr, control);
   } catch (const Interrupted&) {
     if (!resumed) store.remove();  // before its first step
     throw;
@@ -220,7 +145,14 @@ LinesOutcome run_lines_in(const std::filesystem::path& folder, const Model& mode
     if (!RunStore::find(folder)) store.remove();
     return outcome;
   }
-  if (outcome.results) write_lines_run(*outcome.results, model.description, folder);
+  if (outcome.results) {
+    outcome.results->time = store.column(0);
+    for (LineResult& line : outcome.results->lines) {
+      line.first_history = column_named(store, "line/" + line.name + "/first_tension");
+      line.second_history = column_named(store, "line/" + line.name + "/second_tension");
+    }
+    write_lines_run(*outcome.results, model.description, folder);
+  }
   store.remove();
   return outcome;
 }

@@ -19,23 +19,17 @@ struct LinesOutcome {
   bool stopped = false;  ///< By who followed the run, after it kept a checkpoint.
 };
 
-/// Who follows a run of lines, and where it goes on from.
-struct LinesSitting {
-  const DynamicCheckpoint* from = nullptr;
-  /// Asked after every row; nothing: the run goes on.
-  std::function<DynamicControl(const DynamicProgress&)> control;
-  std::function<void(const DynamicCheckpoint&)> keep;  ///< Given a checkpoint where `control` wants one.
-};
-
 /// Whether a model is lines by themselves and nothing else.
 bool is_lines_alone(const Description& description);
 
 /// The lines at rest.
 LinesOutcome solve_lines(const Model& model);
 
-/// The same and a run in time from there. A run that was stopped and taken up again gives what one that was not gives,
-/// bit for bit. Throws std::invalid_argument for a sea or a motion that cannot be made.
-LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const LinesSitting& sitting = {});
+/// The same and a run in time from there, without histories, which go to the sink. Throws std::invalid_argument for a
+/// sea or a motion that cannot be made.
+LinesOutcome run_lines(const Model& model, const DynamicOptions& options, DynamicSink& sink,
+                       const DynamicCheckpoint* from,
+                       const std::function<DynamicControl(const DynamicProgress&)>& control);
 
 /// The same in a folder of results, where it can be taken up again; with `resume` from what the folder holds. Writes
 /// the results. Throws besides UnusableFolder, and std::runtime_error where the folder holds a run of something else.

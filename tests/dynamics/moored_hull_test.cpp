@@ -1,6 +1,4 @@
 /// BGL-1 on its eight lines in time, without a pipe.
-#include "dynamics/run/moored_simulation.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,19 +29,19 @@ double period(const SolvedHull& moored, Eigen::Index freedom, double release) {
   DynamicOptions options = dynamic_options(moored.model);
   options.fixed_step = 0.25;
   options.release(freedom) = release;
-  MooredSimulation simulation(moored.model, moored.start(), options);
+  Simulation simulation(moored.model, moored.start(), 0.0, options);
   EXPECT_FALSE(simulation.failure());
   // The hull is drawn where it lies.
   const auto off = [&] {
-    const HullState& hull = simulation.run().state().bodies.front();
-    return hull.h(freedom) - simulation.run().system().bodies.front().free->origin(freedom);
+    const HullState& hull = simulation.now().state->bodies.front();
+    return hull.h(freedom) - simulation.system().bodies.front().free->origin(freedom);
   };
   double before = off(), first = 0.0;
   int passages = 0;
-  while (simulation.run().step()) {
+  while (simulation.step()) {
     const double after = off();
     if (before * after <= 0.0) {
-      const double passed = simulation.run().time() - 0.25 * after / (after - before);
+      const double passed = simulation.time() - 0.25 * after / (after - before);
       if (++passages == 1) first = passed;
       if (passages == 3) return passed - first;
     }
@@ -54,7 +52,7 @@ double period(const SolvedHull& moored, Eigen::Index freedom, double release) {
 
 /// Eigenvalues of hull, fitted memory and the lines' stiffness, by an independent prototype; heading east, surge is
 /// eastwards.
-TEST(moored_simulation, swings_with_the_periods_of_hull_water_and_lines) {
+TEST(moored_hull, swings_with_the_periods_of_hull_water_and_lines) {
   const SolvedHull moored(calm(MooringModel::quasi_static));
   EXPECT_NEAR(period(moored, 0, 0.05), 66.96, 0.005 * 66.96);
   EXPECT_NEAR(period(moored, 1, 0.05), 77.15, 0.005 * 77.15);
@@ -62,43 +60,43 @@ TEST(moored_simulation, swings_with_the_periods_of_hull_water_and_lines) {
 }
 
 /// A tenth of critical: one swing after the other is smaller by exp(-2 pi 0.1/sqrt(1 - 0.01)), 0.532.
-TEST(moored_simulation, is_damped_by_the_share_of_critical_that_is_asked_for) {
+TEST(moored_hull, is_damped_by_the_share_of_critical_that_is_asked_for) {
   Description d = calm(MooringModel::quasi_static);
   d.vessel.coupled->damping.push_back({"surge", 0.1, std::nullopt, std::nullopt});
   const SolvedHull moored(d);
   DynamicOptions options = dynamic_options(moored.model);
   options.fixed_step = 0.25;
   options.release(0) = 0.1;
-  MooredSimulation simulation(moored.model, moored.start(), options);
+  Simulation simulation(moored.model, moored.start(), 0.0, options);
   ASSERT_FALSE(simulation.failure());
-  const double rest = simulation.run().system().bodies.front().free->origin(0);
+  const double rest = simulation.system().bodies.front().free->origin(0);
   double largest = 0.0;  // of the second swing to the same side, around 67 s
-  while (simulation.run().step()) {
-    const double off = simulation.run().state().bodies.front().h(0) - rest;
-    if (simulation.run().time() > 45.0) largest = std::max(largest, off);
+  while (simulation.step()) {
+    const double off = simulation.now().state->bodies.front().h(0) - rest;
+    if (simulation.time() > 45.0) largest = std::max(largest, off);
   }
   EXPECT_NEAR(largest, 0.1 * 0.532, 0.1 * 0.02);
 }
 
-TEST(moored_simulation, stays_where_statics_put_it_in_calm_water) {
+TEST(moored_hull, stays_where_statics_put_it_in_calm_water) {
   Description d = calm(MooringModel::elements);
   d.dynamics->duration = 20.0;
   const SolvedHull moored(d);
-  MooredSimulation simulation(moored.model, moored.start(), dynamic_options(moored.model));
+  Simulation simulation(moored.model, moored.start(), 0.0, dynamic_options(moored.model));
   ASSERT_FALSE(simulation.failure());
-  const Vec6 first = simulation.run().state().bodies.front().h;
-  EXPECT_TRUE(simulation.run().advance(simulation.run().end()));
-  EXPECT_LT((simulation.run().state().bodies.front().h - first).norm(), 1e-5);
+  const Vec6 first = simulation.now().state->bodies.front().h;
+  EXPECT_TRUE(simulation.advance(simulation.end()));
+  EXPECT_LT((simulation.now().state->bodies.front().h - first).norm(), 1e-5);
   // Catenaries of statics, elements here.
   for (std::size_t i = 0; i < 8; ++i) {
     const double tension = moored.rest.moorings->rest.moorings[i].fairlead_tension;
-    const double now = mooring_tension(simulation.run().assembly(), simulation.run().state(), i, LineEnd::last);
+    const double now = mooring_tension(*simulation.now().assembly, *simulation.now().state, i, LineEnd::last);
     EXPECT_NEAR(now, tension, 2e-3 * tension) << i;
   }
 }
 
 /// A hull whose crew does not ballast for the pull of its lines sinks by it, once, and in time as in statics.
-TEST(moored_simulation, sinks_under_its_lines_as_in_statics_where_it_is_not_ballasted) {
+TEST(moored_hull, sinks_under_its_lines_as_in_statics_where_it_is_not_ballasted) {
   Description d = calm(MooringModel::quasi_static);
   d.dynamics->duration = 2.0;
   d.vessel.coupled->ballast = Ballast::as_given;
@@ -107,17 +105,17 @@ TEST(moored_simulation, sinks_under_its_lines_as_in_statics_where_it_is_not_ball
   const VesselResult& statics = moored.rest.moorings->rest.vessel;
   EXPECT_LT(statics.heave, -0.05);
   EXPECT_LT(statics.roll, -0.005);
-  MooredSimulation simulation(moored.model, moored.start(), dynamic_options(moored.model));
+  Simulation simulation(moored.model, moored.start(), 0.0, dynamic_options(moored.model));
   ASSERT_FALSE(simulation.failure());
-  EXPECT_TRUE(simulation.run().advance(2.0));
-  const auto shift = shift_between(moored.model.drawn_pose, simulation.run().assembly().surroundings().bodies[0].pose);
+  EXPECT_TRUE(simulation.advance(2.0));
+  const auto shift = shift_between(moored.model.drawn_pose, simulation.now().assembly->surroundings().bodies[0].pose);
   EXPECT_NEAR(shift[2], statics.heave, 1e-3 * std::abs(statics.heave));
   EXPECT_NEAR(shift[3], statics.roll, 1e-3 * std::abs(statics.roll));
   EXPECT_NEAR(shift[1], statics.sway, 1e-3 * std::abs(statics.sway) + 1e-5);
 }
 
 /// The vessel's motion told, lines know nothing of a pipe: there they move as in the system of a lay.
-TEST(moored_simulation, has_lines_that_move_as_those_beside_a_pipe) {
+TEST(moored_hull, has_lines_that_move_as_those_beside_a_pipe) {
   Description d = coarse_example("bgl1-moored", 6.0, 2.0);
   d.vessel.motion = VesselMotion::harmonic;
   d.vessel.coupled.reset();
@@ -131,15 +129,15 @@ TEST(moored_simulation, has_lines_that_move_as_those_beside_a_pipe) {
       beside.system().lines[1].environment.bed_stick;  // of the soil; under the pipe it is more
   d.has_pipe = false;
   const SolvedHull moored(d);
-  MooredSimulation alone(moored.model, moored.start(), options);
+  Simulation alone(moored.model, moored.start(), 0.0, options);
   ASSERT_FALSE(alone.failure() || beside.failure());
   double least = 1e300, most = 0.0;
   while (!beside.finished()) {  // rows are met by both; the pipe on its rollers may need shorter steps between
     const double row = beside.next_row();
-    ASSERT_TRUE(alone.run().advance(row) && beside.advance(row));
-    ASSERT_NEAR(alone.run().time(), beside.time(), 1e-9);
+    ASSERT_TRUE(alone.advance(row) && beside.advance(row));
+    ASSERT_NEAR(alone.time(), beside.time(), 1e-9);
     for (std::size_t i = 0; i < 8; ++i) {
-      const double one = mooring_tension(alone.run().assembly(), alone.run().state(), i, LineEnd::last);
+      const double one = mooring_tension(*alone.now().assembly, *alone.now().state, i, LineEnd::last);
       const double other = mooring_tension(*beside.now().assembly, *beside.now().state, i, LineEnd::last);
       EXPECT_NEAR(one, other, 5e-4 * other) << i << " at " << beside.time();
       least = std::min(least, one);
@@ -149,11 +147,11 @@ TEST(moored_simulation, has_lines_that_move_as_those_beside_a_pipe) {
   EXPECT_GT(most, 1.1 * least);  // they do move
 }
 
-TEST(moored_simulation, in_a_sea_keeps_its_energy_and_allocates_nothing_in_a_step) {
+TEST(moored_hull, in_a_sea_keeps_its_energy_and_allocates_nothing_in_a_step) {
   const SolvedHull moored(coarse_example("moored-barge", 30.0, 20.0));
-  MooredSimulation simulation(moored.model, moored.start(), dynamic_options(moored.model));
+  Simulation simulation(moored.model, moored.start(), 0.0, dynamic_options(moored.model));
   ASSERT_FALSE(simulation.failure());
-  SystemRun& run = simulation.run();
+  Simulation& run = simulation;
   run.advance(-10.0);
   const long before = testing::allocation_count();
   run.advance(-5.0);
@@ -162,25 +160,25 @@ TEST(moored_simulation, in_a_sea_keeps_its_energy_and_allocates_nothing_in_a_ste
   EXPECT_LT(std::abs(run.energy().drift()), 1e-3);
 }
 
-TEST(moored_simulation, goes_on_after_a_line_has_parted) {
+TEST(moored_hull, goes_on_after_a_line_has_parted) {
   Description d = coarse_example("moored-barge", 30.0, 5.0);
   d.environment.waves.type = WaveType::none;
   d.moorings->lines[0].fails_at = 2.0;
   const SolvedHull moored(d);
-  MooredSimulation simulation(moored.model, moored.start(), dynamic_options(moored.model));
+  Simulation simulation(moored.model, moored.start(), 0.0, dynamic_options(moored.model));
   ASSERT_FALSE(simulation.failure());
-  SystemRun& run = simulation.run();
+  Simulation& run = simulation;
   EXPECT_TRUE(run.advance(1.0));
-  const double before = run.state().bodies.front().h(0);
+  const double before = run.now().state->bodies.front().h(0);
   EXPECT_TRUE(run.advance(run.end())) << run.failure()->what;
-  EXPECT_LT(mooring_tension(run.assembly(), run.state(), 0, LineEnd::last), 1.0);
+  EXPECT_LT(mooring_tension(*run.now().assembly, *run.now().state, 0, LineEnd::last), 1.0);
   // Without its port bow line the barge, heading east, is pulled astern by the others: some 285 kN cos 25 deg on 21,000
   // t.
-  EXPECT_LT(run.state().bodies.front().h(0), before - 0.3);
+  EXPECT_LT(run.now().state->bodies.front().h(0), before - 0.3);
 }
 
 /// The winches take it along the plan of statics; what is left swings with the surge period of 67 s.
-TEST(moored_simulation, is_pulled_ahead_by_its_winches) {
+TEST(moored_hull, is_pulled_ahead_by_its_winches) {
   Description d = calm(MooringModel::quasi_static);
   d.dynamics->duration = 260.0;
   d.operation.type = OperationType::pull_ahead;
@@ -190,15 +188,15 @@ TEST(moored_simulation, is_pulled_ahead_by_its_winches) {
   d.operation.start = 5.0;
   const SolvedHull moored(d);
   ASSERT_TRUE(moored.start().winches);
-  MooredSimulation simulation(moored.model, moored.start(), dynamic_options(moored.model));
+  Simulation simulation(moored.model, moored.start(), 0.0, dynamic_options(moored.model));
   ASSERT_FALSE(simulation.failure());
-  SystemRun& run = simulation.run();
-  const double from = run.state().bodies.front().h(0);
+  Simulation& run = simulation;
+  const double from = run.now().state->bodies.front().h(0);
   double sum = 0.0, time = 0.0;
   while (run.step()) {
     if (run.time() < run.end() - 2.0 * 66.96) continue;
-    sum += (run.state().bodies.front().h(0) - from) * run.state().last_step;
-    time += run.state().last_step;
+    sum += (run.now().state->bodies.front().h(0) - from) * run.now().state->last_step;
+    time += run.now().state->last_step;
   }
   ASSERT_FALSE(run.failure());
   EXPECT_NEAR(sum / time, 3.0, 0.03);

@@ -1,4 +1,4 @@
-#include "recording/dynamic_recorder.h"
+#include "recording/pipe_recorder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ Description with_a_box_out_of_the_way() {
   return d;
 }
 
-TEST(dynamic_recorder, a_roller_that_the_pipe_does_not_pass_has_no_separation) {
+TEST(pipe_recorder, a_roller_that_the_pipe_does_not_pass_has_no_separation) {
   const TimedLay c(with_a_box_out_of_the_way());
   EXPECT_GT(c.statics.supports.front().separation, 1.0);  // in statics that of the pipe's end
   MemorySink sink;
@@ -51,7 +51,7 @@ TEST(dynamic_recorder, a_roller_that_the_pipe_does_not_pass_has_no_separation) {
   }
 }
 
-TEST(dynamic_recorder, the_smallest_tension_is_that_of_all_stations_at_any_time) {
+TEST(pipe_recorder, the_smallest_tension_is_that_of_all_stations_at_any_time) {
   const TimedLay c(testing::workable());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
@@ -70,7 +70,7 @@ TEST(dynamic_recorder, the_smallest_tension_is_that_of_all_stations_at_any_time)
   }
 }
 
-TEST(dynamic_recorder, the_size_of_slamming_stands_among_the_assumptions_of_a_run_in_waves) {
+TEST(pipe_recorder, the_size_of_slamming_stands_among_the_assumptions_of_a_run_in_waves) {
   const TimedLay c(testing::workable());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
@@ -81,7 +81,7 @@ TEST(dynamic_recorder, the_size_of_slamming_stands_among_the_assumptions_of_a_ru
 }
 
 // Beyond a metre or so the pipe touches no roller, whatever it does within a step; but clearances are wanted.
-TEST(dynamic_recorder, rollers_far_below_the_pipe_tell_the_clearance_that_statics_do) {
+TEST(pipe_recorder, rollers_far_below_the_pipe_tell_the_clearance_that_statics_do) {
   Description d = testing::workable();
   d.environment.waves = WavesDescription{};
   d.vessel.motion = VesselMotion::fixed;
@@ -109,7 +109,7 @@ TEST(dynamic_recorder, rollers_far_below_the_pipe_tell_the_clearance_that_static
 }
 
 // Within 1e-4: in time touchdown is sought between two nodes, of which the lower one lies in the bed.
-TEST(dynamic_recorder, horizontal_tension_of_a_stiff_pipe_at_rest_is_that_of_statics) {
+TEST(pipe_recorder, horizontal_tension_of_a_stiff_pipe_at_rest_is_that_of_statics) {
   Description d = testing::stiff_pipe();
   d.dynamics = DynamicSettings{};
   d.dynamics->duration = 1.0;
@@ -120,7 +120,7 @@ TEST(dynamic_recorder, horizontal_tension_of_a_stiff_pipe_at_rest_is_that_of_sta
 }
 
 // The edge beyond which the bed falls away bends the pipe most where it lands, between two nodes.
-TEST(dynamic_recorder, the_sagbend_over_an_edge_of_the_bed_is_bent_as_statics_tell) {
+TEST(pipe_recorder, the_sagbend_over_an_edge_of_the_bed_is_bent_as_statics_tell) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/validation/bed_cases/BP16-slope.yaml").description.value();
   d.environment.seabed.profile.at(4).depth = 118.0;
   d.dynamics = DynamicSettings{};
@@ -139,7 +139,7 @@ TEST(dynamic_recorder, the_sagbend_over_an_edge_of_the_bed_is_bent_as_statics_te
 }
 
 // Over a roller a cable has a kink, of which the tangent of its elements knows little.
-TEST(dynamic_recorder, a_cable_leaves_its_last_roller_at_the_angle_that_statics_tell) {
+TEST(pipe_recorder, a_cable_leaves_its_last_roller_at_the_angle_that_statics_tell) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-abandonment.yaml").description.value();
   d = at_stage(d, lay_stages(d).at(2));
   d.environment.waves = WavesDescription{};
@@ -154,7 +154,7 @@ TEST(dynamic_recorder, a_cable_leaves_its_last_roller_at_the_angle_that_statics_
   EXPECT_NEAR(r.departure_angle.max, c.statics.departure_angle, 1e-5);
 }
 
-TEST(dynamic_recorder, compression_in_time_is_warned_of_with_place_time_and_size) {
+TEST(pipe_recorder, compression_in_time_is_warned_of_with_place_time_and_size) {
   DynamicResults r;
   r.smallest_tension.over_time.min = -8e3;
   r.smallest_tension.time = 12.5;
@@ -167,7 +167,7 @@ TEST(dynamic_recorder, compression_in_time_is_warned_of_with_place_time_and_size
   EXPECT_NE(messages(r.findings)[0].find("from the tensioner (sagbend)"), std::string::npos) << messages(r.findings)[0];
 }
 
-TEST(dynamic_recorder, yield_in_time_is_warned_of_with_place_and_size_and_with_the_time_where_that_is_known) {
+TEST(pipe_recorder, yield_in_time_is_warned_of_with_place_and_size_and_with_the_time_where_that_is_known) {
   DynamicResults r;
   const TimedLay c(testing::workable());
   const double s = c.statics.touchdown.s;
@@ -187,7 +187,7 @@ TEST(dynamic_recorder, yield_in_time_is_warned_of_with_place_and_size_and_with_t
 }
 
 // It lies below the last roller, 19 mm beyond its end: the distance from that end is no clearance of the tip.
-TEST(dynamic_recorder, a_pipe_under_the_last_roller_has_left_it_and_has_no_clearance_there_as_in_statics) {
+TEST(pipe_recorder, a_pipe_under_the_last_roller_has_left_it_and_has_no_clearance_there_as_in_statics) {
   Description d = testing::lay_over_bottom_rollers(0.3);
   d.dynamics = DynamicSettings{};
   d.dynamics->duration = 1.0;
@@ -204,7 +204,7 @@ TEST(dynamic_recorder, a_pipe_under_the_last_roller_has_left_it_and_has_no_clear
   EXPECT_EQ(row->status, CheckStatus::exceeded);
 }
 
-TEST(dynamic_recorder, boxes_that_the_pipe_left_are_told_in_a_line_for_each_side) {
+TEST(pipe_recorder, boxes_that_the_pipe_left_are_told_in_a_line_for_each_side) {
   DynamicResults r;
   r.supports.resize(4);
   for (std::size_t i = 0; i < 4; ++i) r.supports[i].name = "stinger " + std::to_string(i + 1);

@@ -1,4 +1,4 @@
-#include "recording/dynamic_recorder.h"
+#include "recording/pipe_recorder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,7 @@
 
 #include "mechanics/contact_damage.h"
 #include "mechanics/rod_element.h"
-#include "recording/control_columns.h"
-#include "recording/dynamic_recorder_layout.h"
-#include "recording/move_record.h"
-#include "recording/snapshots.h"
+#include "recording/pipe_recorder_layout.h"
 #include "system/cut_forces.h"
 
 namespace overbend {
@@ -75,11 +72,6 @@ int last_stinger_roller(const Supports& supports) {
   return -1;
 }
 
-/// Whether the vessel floats free or lies on mooring lines.
-bool afloat(const Simulation& simulation) {
-  return simulation.system().bodies.front().free || !simulation.moorings().empty();
-}
-
 /// What carries a box: the vessel, or its section of a stinger that turns in time, whose body follows the vessel's.
 const RigidMotion& carrier_of(const Instant& at, const SupportBox& box) {
   if (box.section < 0 || at.assembly->hinged().empty()) {
@@ -90,13 +82,11 @@ const RigidMotion& carrier_of(const Instant& at, const SupportBox& box) {
 
 }  // namespace
 
-DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& statics, const Simulation& simulation,
-                                 DynamicSink& sink)
+PipeRecorder::PipeRecorder(const Model& model, const StaticResults& statics, const Simulation& simulation)
     : model_(&model),
       statics_(&statics),
       line_(&simulation.system().lines.front()),
       body_rollers_(&simulation.rollers()),
-      sink_(&sink),
       recovery_(model, *line_, simulation.move() != nullptr),
       design_(model, recovery_.sections()),
       move_(simulation.move()),
@@ -104,14 +94,8 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
       rollers_(model.supports.rollers.size()),
       boxes_(model.supports.boxes.size()),
       tensioner_(tensioner_of(simulation.system())),
-      moorings_(model.description.moorings, simulation.moorings()),
       stinger_(model),
-      thrust_(simulation.hull()),
-      start_(model, simulation.options().build_up, move_ != nullptr || simulation.controllers().active()),
-      floating_(afloat(simulation) ? std::optional<VesselWatch>(model.drawn_pose) : std::nullopt),
-      columns_(recorded_columns(model.supports, simulation.moorings(), floating_.has_value(), sections_in_time(model),
-                                astern_direction(model.mean_pose))),
-      snapshot_stride_(snapshot_stride(simulation.options())) {
+      start_(model, simulation.options().build_up, move_ != nullptr || simulation.controllers().active()) {
   const std::vector<double>& s = places();
   first_ = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());
   nodes_.resize(s.size());
@@ -123,10 +107,6 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
   key_statistics_ = RunningStatistics(key_sample_.size());
   reaction_sample_.resize(boxes_);
   reaction_quantiles_ = RunningQuantiles(boxes_);
-  if (move_ != nullptr) add_move_columns(columns_, true);
-  if (thrust_.positioned()) add_thrust_columns(columns_);
-  add_control_columns(simulation.controllers(), columns_);
-  row_.resize(columns_.size());
   impacts_.resize(rollers_);
   left_.resize(boxes_);
   largest_reaction_.assign(boxes_, 0.0);
@@ -138,14 +118,14 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
 }
 
 /// Tells the checks what the current adds to the static state.
-void DynamicRecorder::tell_current() {
+void PipeRecorder::tell_current() {
   if (!tells_current(*statics_)) return;
   std::vector<CurrentPart> parts;
   for (const double s : places()) parts.push_back(current_part(*statics_, s));
   design_.set_current(std::move(parts));
 }
 
-void DynamicRecorder::begun(const Instant& at) {
+void PipeRecorder::start(const Instant& at) {
   tell_current();
   if (const RollerContact* last = last_contact(at)) static_departure_ = place_of(*last);
   recover(at);
@@ -153,24 +133,16 @@ void DynamicRecorder::begun(const Instant& at) {
   static_supports_ = support_sample_;
   design_.start(design_instant(at));
   if (fatigue_) fatigue_->start(design_instant(at));
-  moorings_.start(*at.state, *at.assembly);
   stinger_.start(*at.assembly);
-  thrust_.start(*at.state);
   start_.start(nodes_, at.vessel().pose);
-  if (floating_) floating_->start(at.vessel().pose);
-  std::vector<HistoryColumn> columns;
-  for (const RecordedColumn& recorded : columns_) columns.push_back(recorded.column);
-  const std::size_t recorded = places().size() - first_;
-  snapshot_.resize(5 * recorded + kPoseNumbers + 4 * static_cast<std::size_t>(moorings_.points()));
-  sink_->begin(columns, {static_cast<int>(recorded), moorings_.points()});
 }
 
-DesignInstant DynamicRecorder::design_instant(const Instant& at) const {
+DesignInstant PipeRecorder::design_instant(const Instant& at) const {
   return {nodes_,        recovery_.moments(), recovery_.tangents(), recovery_.station_of_node(),
           at.contacts(), at.state->time};
 }
 
-void DynamicRecorder::recover(const Instant& at) {
+void PipeRecorder::recover(const Instant& at) {
   recovery_.recover(at, nodes_);
   find_key_values(at);
   find_support_values(at);
@@ -181,7 +153,7 @@ void DynamicRecorder::recover(const Instant& at) {
   }
 }
 
-void DynamicRecorder::find_key_values(const Instant& at) {
+void PipeRecorder::find_key_values(const Instant& at) {
   const LineState& state = at.pipe();
   const int top = line_->mesh.nodes() - 1;
   key_.top_tension = nodes_.effective_tension.back();
@@ -225,18 +197,18 @@ void DynamicRecorder::find_key_values(const Instant& at) {
 }
 
 /// Place of a contact along the line.
-double DynamicRecorder::place_of(const RollerContact& contact) const {
+double PipeRecorder::place_of(const RollerContact& contact) const {
   const std::size_t e = static_cast<std::size_t>(contact.at.element);
   return recovery_.place_of(line_->mesh.s[e] + contact.at.xi * line_->mesh.length[e]);
 }
 
-bool DynamicRecorder::is_cable(const RollerContact& contact) const {
+bool PipeRecorder::is_cable(const RollerContact& contact) const {
   const int section = line_->mesh.section[static_cast<std::size_t>(contact.at.element)];
   return model_->sections[static_cast<std::size_t>(section)].kind == SectionKind::cable;
 }
 
 /// The last contact with a support, seen from the top; null where the pipe has jumped off all of them.
-const RollerContact* DynamicRecorder::last_contact(const Instant& at) const {
+const RollerContact* PipeRecorder::last_contact(const Instant& at) const {
   const RollerContact* last = nullptr;
   for (const RollerContact& contact : at.contacts()) {
     if (contact.normal > 0.0 && (last == nullptr || place_of(contact) < place_of(*last))) last = &contact;
@@ -244,7 +216,7 @@ const RollerContact* DynamicRecorder::last_contact(const Instant& at) const {
   return last;
 }
 
-void DynamicRecorder::find_region_peaks(const Regions& regions, double time) {
+void PipeRecorder::find_region_peaks(const Regions& regions, double time) {
   const std::vector<double>* quantity[kRegionQuantities] = {&nodes_.bending_moment, &nodes_.bending_stress,
                                                             &nodes_.von_mises, &nodes_.strain};
   for (std::size_t i = 0; i < kRegionQuantities; ++i) {
@@ -276,7 +248,7 @@ void DynamicRecorder::find_region_peaks(const Regions& regions, double time) {
 }
 
 /// Where the effective tension is least.
-void DynamicRecorder::find_slack(double time) {
+void PipeRecorder::find_slack(double time) {
   key_.slack.now = -std::numeric_limits<double>::infinity();
   for (std::size_t node = 0; node < nodes_.x.size(); ++node) {
     keep_peak(key_.slack, -nodes_.effective_tension[node], places()[node], time);
@@ -284,14 +256,14 @@ void DynamicRecorder::find_slack(double time) {
 }
 
 /// Whether the pipe has left the box of a roller over its side: then that no longer holds it, and no side roller did.
-bool DynamicRecorder::beside(const Instant& at, std::size_t roller) const {
+bool PipeRecorder::beside(const Instant& at, std::size_t roller) const {
   const Roller& of = model_->supports.rollers[roller];
   return lies_beside(of.position, at.assembly->line(0).contacts().placed(static_cast<int>(roller)),
                      at.contacts()[roller].at, model_->section_over(of).outer_radius());
 }
 
 /// Over the last row of the stinger, as in statics.
-double DynamicRecorder::tip_clearance(const Instant& at) const {
+double PipeRecorder::tip_clearance(const Instant& at) const {
   if (tip_roller_ < 0) return 0.0;
   const RollerContact& contact = at.contacts()[static_cast<std::size_t>(tip_roller_)];
   if (!contact.at.found || !beside(at, static_cast<std::size_t>(tip_roller_))) return separation(contact);
@@ -300,7 +272,7 @@ double DynamicRecorder::tip_clearance(const Instant& at) const {
 }
 
 /// When the pipe left each box first, and over which side.
-void DynamicRecorder::find_passed(const Instant& at) {
+void PipeRecorder::find_passed(const Instant& at) {
   const VesselPose& pose = at.vessel().pose;
   for (std::size_t i = 0; i < rollers_; ++i) {
     const ClosestPoint& closest = at.contacts()[i].at;
@@ -313,7 +285,7 @@ void DynamicRecorder::find_passed(const Instant& at) {
   }
 }
 
-void DynamicRecorder::find_support_values(const Instant& at) {
+void PipeRecorder::find_support_values(const Instant& at) {
   const Mat3& axes = at.vessel().pose.R_WV;
   const Vec3 port = axes.col(1);
   const std::vector<Roller>& rollers = model_->supports.rollers;
@@ -346,14 +318,11 @@ void DynamicRecorder::find_support_values(const Instant& at) {
   }
 }
 
-void DynamicRecorder::stepped(const Instant& at) {
+void PipeRecorder::add(const Instant& at) {
   recover(at);
   tensioner_.add(*at.tensioner, at.move.paid_out, at.state->time, at.step);
-  moorings_.add(*at.state, *at.assembly, at.step);
   stinger_.add(*at.assembly, at.state->time, at.step);
-  thrust_.add(*at.state, at.step);
   start_.add(nodes_, at.vessel().pose, at.state->time);
-  if (floating_) floating_->add(at.vessel().pose, at.state->time, at.step);
   crossing_.add(at.pipe(), at.state->time, at.water(), line_->mesh, recovery_.place_of(0.0));
   if (at.state->time <= 0.0) {
     return;
@@ -371,42 +340,31 @@ void DynamicRecorder::stepped(const Instant& at) {
   key_statistics_.add(key_sample_, at.step);
 }
 
-void DynamicRecorder::row(const Instant& at, std::int64_t number) {
-  const RowSource source{at,
-                         key_sample_,
-                         largest_key_,
-                         least_key_,
-                         largest_reaction_,
-                         least_separation_,
-                         floating_ ? &*floating_ : nullptr,
-                         &thrust_};
-  std::transform(columns_.begin(), columns_.end(), row_.begin(),
-                 [&](const RecordedColumn& recorded) { return recorded.value(source); });
-  forget_interval();
-  sink_->row(row_);
-  if (number >= 0 && number % snapshot_stride_ == 0) sink_->snapshot(at.state->time, snapshot(at));
+void PipeRecorder::show(RowSource& row) const {
+  row.key = key_sample_;
+  row.largest_key = largest_key_;
+  row.least_key = least_key_;
+  row.largest_reaction = largest_reaction_;
+  row.least_separation = least_separation_;
 }
 
-void DynamicRecorder::forget_interval() {
+void PipeRecorder::forget_interval() {
   std::fill(largest_reaction_.begin(), largest_reaction_.end(), 0.0);
   std::fill(least_separation_.begin(), least_separation_.end(), std::numeric_limits<double>::infinity());
   std::fill(largest_key_.begin(), largest_key_.end(), -std::numeric_limits<double>::infinity());
   std::fill(least_key_.begin(), least_key_.end(), std::numeric_limits<double>::infinity());
 }
 
-std::span<const double> DynamicRecorder::snapshot(const Instant& at) {
-  double* out = snapshot_.data();
+double* PipeRecorder::film(double* out) const {
   for (std::size_t node = first_; node < nodes_.x.size(); ++node) {
     const double values[5] = {nodes_.x[node], nodes_.y[node], nodes_.z[node], nodes_.effective_tension[node],
                               nodes_.von_mises[node]};
     out = std::copy_n(values, 5, out);
   }
-  out = put_pose(at.vessel().pose, out);
-  moorings_.film(*at.state, *at.assembly, out);
-  return snapshot_;
+  return out;
 }
 
-void DynamicRecorder::impact(const EndedImpact& ended) {
+Impact PipeRecorder::add_impact(const EndedImpact& ended) {
   Impact impact = ended.impact;
   const Roller& roller = model_->supports.rollers[static_cast<std::size_t>(impact.roller)];
   const Section& pipe = model_->section_over(roller);
@@ -414,10 +372,10 @@ void DynamicRecorder::impact(const EndedImpact& ended) {
   impact.line_load =
       line_load(impact.peak_force, contact_length(roller.face, pipe.outer_diameter, pipe.steel_diameter));
   if (impact.time > 0.0) count(impact, ended.box_force);
-  sink_->impact(impact);
+  return impact;
 }
 
-void DynamicRecorder::count(const Impact& impact, double box_force) {
+void PipeRecorder::count(const Impact& impact, double box_force) {
   RollerImpacts& sum = impacts_[static_cast<std::size_t>(impact.roller)];
   sum.count += 1.0;
   sum.velocity = std::max(sum.velocity, impact.approach_velocity);

@@ -1,9 +1,9 @@
-/// The recorder into a checkpoint and out of it.
+/// The pipe's recorder into a checkpoint and out of it.
 #include <algorithm>
 #include <iterator>
 
 #include "dynamics/integrator/dynamic_checkpoint.h"
-#include "recording/dynamic_recorder.h"
+#include "recording/pipe_recorder.h"
 
 namespace overbend {
 namespace {
@@ -12,7 +12,7 @@ constexpr std::size_t kImpactNumbers = 8;
 
 }  // namespace
 
-void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
+void PipeRecorder::save(DynamicCheckpoint& checkpoint) const {
   const auto put = [&](const char* name, std::vector<double> values) {
     checkpoint.arrays.push_back({name, std::move(values)});
   };
@@ -21,11 +21,8 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
   put("record/reactions", reaction_quantiles_.save());
   put("record/key", key_statistics_.save());
   put("record/tensioner", tensioner_.save());
-  put("record/moorings", moorings_.save());
-  put("record/thrust", thrust_.save());
   put("record/stinger", stinger_.save());
   put("record/start", start_.save());
-  if (floating_) put("record/vessel", floating_->save());
   put("record/design", design_.save());
   if (fatigue_) put("record/fatigue", fatigue_->save());
   std::vector<double> peaks, impacts{impact_count_}, hardest;
@@ -52,7 +49,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
   put("record/hardest", std::move(hardest));
 }
 
-void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
+void PipeRecorder::restore(const DynamicCheckpoint& checkpoint) {
   const auto get = [&](const char* name) -> const std::vector<double>& { return checkpoint_array(checkpoint, name); };
   forget_interval();  // checkpoints stand right after a row
   node_statistics_.restore(get("record/nodes"));
@@ -60,11 +57,8 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   reaction_quantiles_.restore(get("record/reactions"));
   key_statistics_.restore(get("record/key"));
   tensioner_.restore(get("record/tensioner"));
-  moorings_.restore(get("record/moorings"));
-  thrust_.restore(get("record/thrust"));
   stinger_.restore(get("record/stinger"));
   start_.restore(get("record/start"));
-  if (floating_) floating_->restore(get("record/vessel"));
   crossing_.restore(get("record/crossing"));
   design_.restore(get("record/design"));
   if (fatigue_) fatigue_->restore(get("record/fatigue"));

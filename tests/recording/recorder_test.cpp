@@ -1,5 +1,5 @@
 /// Whole dynamic analyses of a hull on its mooring lines, without a pipe.
-#include "recording/moored_recorder.h"
+#include "recording/recorder.h"
 
 #include <gtest/gtest.h>
 
@@ -19,14 +19,15 @@ DynamicOutcome run(
     const std::function<DynamicControl(const DynamicProgress&)>& control = [](const DynamicProgress&) {
       return DynamicControl::go_on;
     }) {
-  return run_dynamics(hull.model, hull.start(), {}, dynamic_options(hull.model), sink, from, control);
+  return run_dynamics(hull.model, hull.start(), of_hull_alone(*hull.rest.moorings), dynamic_options(hull.model), sink,
+                      from, control);
 }
 
 Description in_a_sea() {
   return testing::coarse_example("moored-barge", 20.0, 10.0);
 }
 
-TEST(moored_recorder, keeps_the_largest_and_smallest_of_what_its_rows_show) {
+TEST(recorder, keeps_the_largest_and_smallest_of_what_its_rows_show) {
   const testing::SolvedHull hull(in_a_sea());
   MemorySink sink;
   const DynamicResults r = run(hull, sink).results.value();
@@ -54,7 +55,7 @@ TEST(moored_recorder, keeps_the_largest_and_smallest_of_what_its_rows_show) {
   EXPECT_EQ(sink.snapshots.front().size(), 12U + 4U * 8U * r.moorings.front().points.size());
 }
 
-TEST(moored_recorder, a_run_taken_up_at_a_checkpoint_gives_the_same_bits) {
+TEST(recorder, a_run_taken_up_at_a_checkpoint_gives_the_same_bits) {
   const testing::SolvedHull hull(in_a_sea());
   MemorySink whole, first, second;
   const DynamicResults expected = run(hull, whole).results.value();
@@ -75,7 +76,7 @@ TEST(moored_recorder, a_run_taken_up_at_a_checkpoint_gives_the_same_bits) {
   EXPECT_EQ(rows, whole.rows);
 }
 
-TEST(moored_recorder, counts_quasi_static_lines_as_those_of_elements) {
+TEST(recorder, counts_quasi_static_lines_as_those_of_elements) {
   Description d = in_a_sea();
   d.moorings->model = MooringModel::quasi_static;
   const testing::SolvedHull hull(d);
@@ -87,7 +88,7 @@ TEST(moored_recorder, counts_quasi_static_lines_as_those_of_elements) {
   EXPECT_EQ(sink.snapshots.front().size(), 12U);
 }
 
-TEST(moored_recorder, warns_of_a_line_that_parts) {
+TEST(recorder, warns_of_a_line_that_parts) {
   Description d = in_a_sea();
   d.moorings->lines[2].fails_at = 5.0;
   const testing::SolvedHull hull(d);
@@ -99,7 +100,7 @@ TEST(moored_recorder, warns_of_a_line_that_parts) {
   }));
 }
 
-TEST(moored_recorder, follows_a_pull_ahead_and_warns_where_the_run_ends_before_it) {
+TEST(recorder, follows_a_pull_ahead_and_warns_where_the_run_ends_before_it) {
   Description d = in_a_sea();
   d.moorings->model = MooringModel::quasi_static;
   d.operation.type = OperationType::pull_ahead;

@@ -1,6 +1,4 @@
 /// Lines by themselves in motion, against other programs and closed forms.
-#include "dynamics/run/lines_in_time.h"
-
 #include <gtest/gtest.h>
 
 #include "support/allocation_count.h"
@@ -141,7 +139,7 @@ double level_length(double span, double force, double weight, double EA) {
 std::vector<double> frequencies(const testing::RestingLines& lines, const std::vector<int>& axes) {
   Assembly assembly(lines.setup.system);
   const testing::StiffnessAndMass full =
-      testing::stiffness_and_mass(assembly, resting_lines(lines.setup.system, lines.state, lines.rest, 0.0));
+      testing::stiffness_and_mass(assembly, lines.start(options_for(1.0, 0.0)).state);
   std::vector<int> free;
   const int last = lines.line().mesh.nodes() - 1;
   for (int node = 0; node <= last; ++node) {
@@ -214,10 +212,7 @@ TEST(lines_in_time, with_points_and_waves_keep_their_energy_to_second_order) {
   const auto drift = [&](double h) {
     DynamicOptions options = options_for(4.0, 9.0);
     options.fixed_step = h;
-    const Sea sea = make_sea(rest.model.description.environment.waves, 100.0, 1);
-    const System& system = rest.setup.system;
-    SystemRun run(system, moving_ends(rest.model, make_vessel_motion(rest.model, sea), 9.0), sea,
-                  resting_lines(system, rest.state, rest.rest, -9.0), options);
+    Simulation run(rest.model, rest.start(options), options);
     EXPECT_TRUE(run.advance(run.end())) << run.failure()->what;
     return run.energy().drift();
   };
@@ -338,10 +333,8 @@ TEST(lines_in_time, whose_buoyancy_lifts_them_into_the_waves_swing_as_with_a_fin
 
 TEST(lines_in_time, allocate_nothing_in_a_step) {
   testing::RestingLines rest(busy_line());
-  const Sea sea = make_sea(rest.model.description.environment.waves, 100.0, 1);
-  const System& system = rest.setup.system;
-  SystemRun run(system, moving_ends(rest.model, make_vessel_motion(rest.model, sea), 9.0), sea,
-                resting_lines(system, rest.state, rest.rest, -9.0), options_for(4.0, 9.0));
+  const DynamicOptions options = options_for(4.0, 9.0);
+  Simulation run(rest.model, rest.start(options), options);
   run.advance(-8.0);
   const long before = testing::allocation_count();
   run.advance(-6.0);

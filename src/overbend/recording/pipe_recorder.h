@@ -1,4 +1,4 @@
-/// Results of a dynamic analysis: statistics of every station and support, rows of histories, snapshots.
+/// What is recorded of a pipe in time: statistics of every station and support, impacts, code checks, fatigue.
 #pragma once
 
 #include <span>
@@ -10,14 +10,11 @@
 #include "recording/design_recorder.h"
 #include "recording/fatigue_recorder.h"
 #include "recording/history_columns.h"
-#include "recording/mooring_watch.h"
 #include "recording/moving_stations.h"
 #include "recording/start_watch.h"
 #include "recording/stinger_watch.h"
 #include "recording/surface_crossing.h"
 #include "recording/tensioner_account.h"
-#include "recording/thrust_watch.h"
-#include "recording/vessel_watch.h"
 #include "system/find_regions.h"
 
 namespace overbend {
@@ -39,24 +36,32 @@ struct KeyValues {
 
 inline constexpr double kNever = 1e300;
 
-/// Observes a simulation from its static state on and passes histories, snapshots and impacts to a sink.
-class DynamicRecorder : public SimulationObserver {
+/// Follows the pipe of a simulation from its static state on, and what holds it: supports, stinger, tensioner.
+class PipeRecorder {
  public:
   /// `statics` are the results of the state that the simulation starts from. All have to outlive the recorder.
-  DynamicRecorder(const Model& model, const StaticResults& statics, const Simulation& simulation, DynamicSink& sink);
+  PipeRecorder(const Model& model, const StaticResults& statics, const Simulation& simulation);
 
-  void begun(const Instant& at) override;
-  /// Statistics count from t > 0. Nothing is allocated.
-  void stepped(const Instant& at) override;
-  /// Counts the impact, and fills in what it does to pipe and coating.
-  void impact(const EndedImpact& ended) override;
-  /// Hands over the row and, now and then, a snapshot; forgets what was largest since the last.
-  void row(const Instant& at, std::int64_t number) override;
-  void save(DynamicCheckpoint& checkpoint) const override;
-  void restore(const DynamicCheckpoint& checkpoint) override;
+  /// The static state, once.
+  void start(const Instant& at);
+  /// An accepted step. Statistics count from t > 0. Nothing is allocated.
+  void add(const Instant& at);
+  /// Counts an impact that ended; returns it with what it does to pipe and coating.
+  Impact add_impact(const EndedImpact& ended);
+  /// Forgets what was largest since the last row.
+  void forget_interval();
+  /// Its part of a row's source.
+  void show(RowSource& row) const;
 
-  double top_tension() const { return key_.top_tension; }  ///< At the last instant [N].
-  const NodeValues& nodes() const { return nodes_; }       ///< At the last instant, of the whole line.
+  /// Stations in a snapshot, five numbers each: x, y, z [m], effective tension [N], von Mises stress [Pa].
+  int stations() const { return static_cast<int>(places().size() - first_); }
+  /// Puts them to `out`; returns where they end.
+  double* film(double* out) const;
+
+  double top_tension() const { return key_.top_tension; }  ///< Now [N].
+  const NodeValues& nodes() const { return nodes_; }       ///< Now, as recorded last.
+  void save(DynamicCheckpoint& checkpoint) const;
+  void restore(const DynamicCheckpoint& checkpoint);
 
   /// Statistics into results; leaves what the recorder does not know.
   void fill(DynamicResults& results) const;
@@ -64,10 +69,8 @@ class DynamicRecorder : public SimulationObserver {
  private:
   void tell_current();
   void count(const Impact& impact, double box_force);
-  std::span<const double> snapshot(const Instant& at);
   void recover(const Instant& at);
   DesignInstant design_instant(const Instant& at) const;
-  void forget_interval();
   void find_key_values(const Instant& at);
   void find_region_peaks(const Regions& regions, double time);
   void find_slack(double time);
@@ -91,7 +94,6 @@ class DynamicRecorder : public SimulationObserver {
   const StaticResults* statics_;
   const Line* line_;
   const std::vector<BodyRoller>* body_rollers_;
-  DynamicSink* sink_;
   MovingStations recovery_;
   DesignRecorder design_;
   std::optional<FatigueRecorder> fatigue_;  ///< Where the model asks for it.
@@ -108,15 +110,9 @@ class DynamicRecorder : public SimulationObserver {
   std::vector<double> reaction_sample_;  ///< Of the boxes.
   RunningQuantiles reaction_quantiles_;
   TensionerAccount tensioner_;
-  MooringWatch moorings_;
   StingerWatch stinger_;
-  ThrustWatch thrust_;
   StartWatch start_;
-  std::optional<VesselWatch> floating_;  ///< Of a vessel that floats free or lies on lines.
   SurfaceCrossing crossing_;
-  std::vector<RecordedColumn> columns_;
-  std::int64_t snapshot_stride_ = 1;  ///< Rows from one to the next.
-  std::vector<double> row_, snapshot_;
   std::vector<double> largest_reaction_, least_separation_, largest_key_, least_key_;  ///< Since the last row.
   struct RollerImpacts {
     double count = 0.0, velocity = 0.0, force = 0.0, impulse = 0.0, of_box = 0.0;

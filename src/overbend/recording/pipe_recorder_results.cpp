@@ -1,4 +1,4 @@
-/// What the recorder knows as results.
+/// What the pipe's recorder knows as results.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,9 +8,8 @@
 #include "base/shown_unit.h"
 #include "mechanics/contact_damage.h"
 #include "recording/dynamic_findings.h"
-#include "recording/dynamic_recorder.h"
-#include "recording/dynamic_recorder_layout.h"
-#include "recording/move_record.h"
+#include "recording/pipe_recorder.h"
+#include "recording/pipe_recorder_layout.h"
 
 namespace overbend {
 namespace {
@@ -35,7 +34,7 @@ Envelope envelope_of(const RunningStatistics& statistics, const std::vector<doub
 
 }  // namespace
 
-void DynamicRecorder::fill_supports(DynamicResults& results) const {
+void PipeRecorder::fill_supports(DynamicResults& results) const {
   const std::vector<double> deviation = support_statistics_.standard_deviation();
   std::size_t roller = 0;
   const bool captured = model_->description.dynamics.value_or(DynamicSettings{}).impacts == ImpactTreatment::captured;
@@ -89,7 +88,7 @@ void DynamicRecorder::fill_supports(DynamicResults& results) const {
   }
 }
 
-DynamicExtreme DynamicRecorder::extreme_of(const RegionPeak& peak, const Spread& over_time) const {
+DynamicExtreme PipeRecorder::extreme_of(const RegionPeak& peak, const Spread& over_time) const {
   DynamicExtreme out;
   out.over_time = over_time;
   out.s = peak.s;
@@ -100,7 +99,7 @@ DynamicExtreme DynamicRecorder::extreme_of(const RegionPeak& peak, const Spread&
   return out;
 }
 
-void DynamicRecorder::fill_regions(DynamicResults& results) const {
+void PipeRecorder::fill_regions(DynamicResults& results) const {
   const std::vector<double> deviation = key_statistics_.standard_deviation();
   const auto extreme = [&](const RegionPeak& peak, std::size_t i) {
     return extreme_of(peak, spread_of(key_statistics_, deviation, i));
@@ -119,7 +118,7 @@ void DynamicRecorder::fill_regions(DynamicResults& results) const {
   }
 }
 
-void DynamicRecorder::fill_tensioner_findings(DynamicResults& results) const {
+void PipeRecorder::fill_tensioner_findings(DynamicResults& results) const {
   const TensionerDynamics& t = results.tensioner;
   if (t.time_at_limit > 0.0) {
     results.findings.push_back(
@@ -154,7 +153,7 @@ void DynamicRecorder::fill_tensioner_findings(DynamicResults& results) const {
   }
 }
 
-void DynamicRecorder::fill_findings(DynamicResults& results) const {
+void PipeRecorder::fill_findings(DynamicResults& results) const {
   warn_of_left_boxes(results);
   std::optional<YieldingPlace> worst;
   for (std::size_t node = 0; node < results.von_mises.max.size(); ++node) {
@@ -165,9 +164,6 @@ void DynamicRecorder::fill_findings(DynamicResults& results) const {
   }
   if (worst) warn_of_yield(*statics_, *worst, results);
   fill_tensioner_findings(results);
-  if (move_ != nullptr) warn_of_move(*model_, *move_, results);
-  append(results.findings, moorings_.findings());
-  append(results.findings, thrust_.findings());
   append(results.findings, stinger_.findings());
   if (const std::optional<StartWatch::Departure> departure = start_.departure()) {
     warn_of_departure(*statics_, departure->distance, places()[departure->node], departure->time, results);
@@ -175,7 +171,7 @@ void DynamicRecorder::fill_findings(DynamicResults& results) const {
 }
 
 /// Impact forces hang on a stiffness that is known to a factor: says how much.
-void DynamicRecorder::fill_assumptions(DynamicResults& results) const {
+void PipeRecorder::fill_assumptions(DynamicResults& results) const {
   if (hardest_.empty()) return;
   const double force = hardest_.front().peak_force;
   const double stiffness = (*body_rollers_)[static_cast<std::size_t>(hardest_.front().roller)].law.stiffness;
@@ -188,7 +184,7 @@ void DynamicRecorder::fill_assumptions(DynamicResults& results) const {
 }
 
 /// What slamming, which the equations leave out, would have been at the fastest entry.
-void DynamicRecorder::fill_slamming(DynamicResults& results) const {
+void PipeRecorder::fill_slamming(DynamicResults& results) const {
   if (crossing_.speed() <= 0.0 || model_->description.environment.waves.type == WaveType::none) return;
   const double from_top = places().back() - crossing_.s();
   const Section& pipe = model_->sections[static_cast<std::size_t>(model_->section_at(from_top))];
@@ -203,7 +199,7 @@ void DynamicRecorder::fill_slamming(DynamicResults& results) const {
        "Slamming and the rate of change of added mass at the surface are neglected; " + size + "."});
 }
 
-void DynamicRecorder::fill(DynamicResults& results) const {
+void PipeRecorder::fill(DynamicResults& results) const {
   const std::size_t n = nodes_.x.size() - first_;
   const std::vector<double> deviation = node_statistics_.standard_deviation();
   Envelope* const envelopes[kNodeQuantities] = {&results.effective_tension,
@@ -235,12 +231,8 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   results.hardest_impacts = hardest_;
   results.impact_count = static_cast<std::int64_t>(impact_count_);
   results.tensioner = tensioner_.results();
-  results.moorings = moorings_.results();
   results.stinger = stinger_.results();
-  results.thrust = thrust_.results();
-  if (floating_) results.vessel = floating_->results();
   fill_assumptions(results);
-  if (move_ != nullptr) assume_of_move(*model_, *move_, results);
   fill_slamming(results);
   fill_findings(results);
   warn_of_slack(*statics_, results);

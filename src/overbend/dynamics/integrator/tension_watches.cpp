@@ -1,0 +1,75 @@
+#include "dynamics/integrator/tension_watches.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace overbend {
+namespace {
+
+constexpr double kFarShorter = 0.3;  ///< Than the step taken, the one that its tension asks for: it is taken again.
+constexpr std::size_t kNumbers = 4;  ///< Of a watch, in a checkpoint.
+
+/// Ends that give way take the force of jerks themselves, and settle in steps of usual length only; what impacts put on
+/// the pipe at a tensioner is not followed further either.
+bool follows_snaps(const System& system) {
+  return system.machine < 0 && std::ranges::none_of(system.attachments, [](const Attachment& held) {
+           return held.winch || held.holding < std::numeric_limits<double>::infinity();
+         });
+}
+
+}  // namespace
+
+TensionWatches::TensionWatches(const System& system, double time_scale)
+    : of_tensioner_(system.machine >= 0),
+      shortest_{kShortStep * time_scale, kShortStep * time_scale},
+      follows_snaps_(follows_snaps(system)),
+      watches_(of_tensioner_ ? 1 : 2 * system.lines.size()) {
+  if (follows_snaps_) shortest_.snap = kEventStep * time_scale;
+}
+
+double TensionWatches::tension(const Assembly& assembly, std::size_t watch) const {
+  if (of_tensioner_) return assembly.machine_tension();
+  const LineEnd end = watch % 2 == 0 ? LineEnd::first : LineEnd::last;
+  return Eigen::Map<const Vec3>(assembly.line(watch / 2).end_force(end).data()).norm();
+}
+
+void TensionWatches::start(const Assembly& assembly) {
+  for (std::size_t i = 0; i < watches_.size(); ++i) watches_[i].start(tension(assembly, i));
+}
+
+double TensionWatches::longest_step(const Assembly& assembly, double h) const {
+  double longest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < watches_.size(); ++i) {
+    longest = std::min(longest, watches_[i].longest_step(tension(assembly, i), h, shortest_));
+  }
+  return longest;
+}
+
+bool TensionWatches::snapped(double h, double longest) const {
+  return follows_snaps_ && longest < kFarShorter * h;
+}
+
+void TensionWatches::took(const Assembly& assembly, double h) {
+  for (std::size_t i = 0; i < watches_.size(); ++i) watches_[i].took(tension(assembly, i), h);
+}
+
+void TensionWatches::renew(const Assembly& assembly) {
+  for (std::size_t i = 0; i < watches_.size(); ++i) watches_[i].last = tension(assembly, i);
+}
+
+std::vector<double> TensionWatches::save() const {
+  std::vector<double> saved;
+  for (const TensionWatch& watch : watches_) {
+    saved.insert(saved.end(), {watch.last, watch.slope, watch.least, watch.most});
+  }
+  return saved;
+}
+
+void TensionWatches::restore(const std::vector<double>& saved) {
+  for (std::size_t i = 0; i < watches_.size(); ++i) {
+    const double* const v = &saved.at(kNumbers * i);
+    watches_[i] = {v[0], v[1], v[2], v[3]};
+  }
+}
+
+}  // namespace overbend
