@@ -17,7 +17,6 @@ struct MovingLine {
   System system = pipe_system(model, solution, model.description.tensioner.tension.value_or(3e5));
   const Line& line = system.lines.front();
   SystemState state = state_at_rest(system, {solution.state.q}, 0.0);
-  lay_at_rest(system.lines.front(), solution, state.lines.front());
   std::vector<double> residual, cuts, water;
   AlignedDoubles slips;
   BlockTridiagonal tangent;
@@ -30,6 +29,7 @@ struct MovingLine {
     slips.assign(kGaussPoints * kBedDirections * line.elements.padded(), 0.0);
     tangent.resize(line.mesh.nodes());
     LineState& pipe = state.lines.front();
+    lay_at_rest(line, solution, pipe);
     for (std::size_t i = 0; i < pipe.v.size(); ++i) pipe.v[i] = 0.01 * static_cast<double>(i % 7);
   }
 

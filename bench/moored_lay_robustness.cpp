@@ -55,7 +55,7 @@ std::string why_not(Description d, bool floats) {
     d.vessel.motion = VesselMotion::fixed;
   }
   Model model = build_model(d);
-  const LayOutcome lay = solve_lay(model);
+  const ModelEquilibrium lay = solve_lay(model);
   return lay.failure ? lay.failure->what + ": " + lay.failure->why : std::string();
 }
 

@@ -65,7 +65,7 @@ int run(const std::string& file, int count, unsigned seed, bool start_up) {
     const LayStageDescription stage = random_stage(dice, start_up, d);
     Model model = build_model(at_stage(d, stage));
     const auto begin = std::chrono::steady_clock::now();
-    const LayOutcome outcome = solve_lay(model);
+    const ModelEquilibrium outcome = solve_lay(model);
     slowest = std::max(slowest, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     if (outcome.solution) {
       ++solved;

@@ -7,7 +7,7 @@
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/solver/statics.h"
 #include "study/run/input_findings.h"
-#include "study/run/model_statics.h"
+#include "study/run/static_run.h"
 #include "support/bgl1_in_time.h"
 #include "support/memory_sink.h"
 #include "support/us_units.h"
@@ -30,11 +30,9 @@ std::vector<std::string> texts_of(const Description& description) {
   Model model = build_model(description);
   std::vector<std::string> all = messages(input_findings(model));
   for (std::string& text : texts(assumptions(model))) all.push_back(std::move(text));
-  const ModelStatics statics = solve_model(model);
+  const StaticRun statics = run_statics(model);
   if (statics.failure) all.push_back(statics.failure->why);
-  if (statics.lay) add_texts(*statics.lay, all);
-  if (statics.moorings) add_texts(*statics.moorings, all);
-  if (statics.lines) add_texts(*statics.lines, all);
+  if (statics.results) add_texts(*statics.results, all);
   return all;
 }
 

@@ -50,7 +50,7 @@ SUB_ROOMS = {
     "statics": ["initial_shape", "equations", "solver", "stinger", "recovery", "moored"],
     "dynamics": ["machines", "integrator", "setup", "run"],
     "modelfile": ["schema", "fields", "binding", "checks", "yaml", "reading", "study_file"],
-    "resultfiles": ["hdf5", "summary", "tables", "moored", "static", "dynamic", "stages", "studies", "lines"],
+    "resultfiles": ["hdf5", "summary", "tables", "moored", "lines", "static", "dynamic", "stages", "studies"],
     "study": ["sampling", "run", "seeds", "sensitivity", "stages", "compare", "goal_seek", "lay_table", "cases", "operability",
               "campaign", "cluster"],
     "report": ["page", "static", "dynamic", "moored", "stages", "studies", ""],

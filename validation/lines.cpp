@@ -59,7 +59,8 @@ Table in_time() {
   for (const Chain& one :
        {Chain{"WD0050_Chain_ZZP1_A1.txt", 50.0, 2.0}, Chain{"WD0050_Chain_ZZP1_A2.txt", 50.0, 5.0},
         Chain{"WD0200_Chain_ZZP1_A1.txt", 200.0, 2.0}, Chain{"WD0200_Chain_ZZP1_A2.txt", 200.0, 5.0}}) {
-    const LineHistory line = testing::run_lines(testing::chain_case(one.depth, one.amplitude), options).front();
+    const testing::LineHistory line =
+        testing::run_lines(testing::chain_case(one.depth, one.amplitude), options).front();
     const auto reference = testing::number_columns(std::string("moordyn/") + one.file);
     const std::string name = fmt::format("chain in {:g} m, heave {:g} m", one.depth, one.amplitude);
     const auto add = [&](const char* what, double ours, const std::vector<double>& record, bool largest) {
@@ -74,7 +75,7 @@ Table in_time() {
   options.duration = options.build_up = 27.0;
   for (const auto& [file, amplitude] :
        {std::pair{"case1.csv", Vec3(10.0, 0.0, 0.0)}, {"case2.csv", Vec3(0.0, 10.0, 0.0)}}) {
-    const LineHistory line = testing::run_lines(testing::jumper_case(amplitude), options).front();
+    const testing::LineHistory line = testing::run_lines(testing::jumper_case(amplitude), options).front();
     const auto reference = testing::number_columns(std::string("lowe_langley/") + file);
     const std::string name = fmt::format("jumper, {} its plane", amplitude.x() > 0.0 ? "along" : "across");
     for (const bool largest : {false, true}) {

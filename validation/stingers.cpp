@@ -43,7 +43,7 @@ void add_rows(const std::string& subject, const StaticResults& r, const Json& ex
 /// From the stage before, where there is one.
 StaticResults solved(const Description& description, std::optional<StaticSolution>& last) {
   Model model = build_model(description);
-  LayOutcome outcome = solve_lay(model, last ? &*last : nullptr);
+  ModelEquilibrium outcome = solve_lay(model, last ? &*last : nullptr);
   if (outcome.failure) throw std::runtime_error(description.title + ": " + outcome.failure->what);
   last = std::move(outcome.solution);
   return recover_state(model, *last);

@@ -201,6 +201,13 @@ class Simulation:
         return {name: Record(self._core.machine(name), _MACHINE_UNITS, _MACHINE_WORDS) for name in names}
 
     @property
+    def lines(self) -> dict[str, Record]:
+        """The lines that stand by themselves now, by name: first_tension and second_tension at their ends [N]."""
+        names = self._core.line_names
+        return {name: Record(self._core.line(i), {"first_tension": "N", "second_tension": "N"})
+                for i, name in enumerate(names)}
+
+    @property
     def reactions(self) -> Any:
         """Force of every support on the pipe, its magnitude [N]: a labelled array over `support`."""
         names, sizes, _, _, _ = self._core.reactions()
@@ -236,8 +243,8 @@ class Simulation:
 
     @property
     def elevation(self) -> Number:
-        """Of the water at the mean place of the stern shoe [m]."""
-        return Number(self._core.elevation, "m", "Of the water at the mean place of the stern shoe")
+        """Of the water at the mean place of the stern shoe, without a pipe of midship [m]."""
+        return Number(self._core.elevation, "m", "Of the water at the mean place of the stern shoe or midship")
 
     @property
     def energy(self) -> Record:

@@ -68,7 +68,7 @@ TEST(moored_command, has_results_that_are_read_as_they_were_written) {
   ASSERT_EQ(run_barge(scratch, barge()).code, 0);
   const StoredDynamics stored = read_dynamic_results(scratch.file("out/results.h5"));
   ASSERT_FALSE(stored.statics.results.has_pipe());
-  ASSERT_TRUE(stored.statics.results.moorings && stored.statics.results.moorings->hull);
+  ASSERT_TRUE(stored.statics.results.moorings && stored.statics.results.hull);
   const Json dynamic = read_json(scratch.read("out/summary.json"))["dynamic"];
   EXPECT_EQ(stored.results.vessel->roll.whole.max, dynamic["vessel"]["roll"]["max"]);
   EXPECT_EQ(*stored.results.moorings[7].fairlead_tension.most_probable_max,

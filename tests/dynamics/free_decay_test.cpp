@@ -46,7 +46,7 @@ struct Decay {
 
 Decay decay(const Description& d, int freedom, double kick) {
   Model model = build_model(d);
-  const LayOutcome lay = solve_lay(model);
+  const ModelEquilibrium lay = solve_lay(model);
   EXPECT_FALSE(lay.failure);
   Decay result;
   for (const PeriodResult& mode : lay.moorings->rest.vessel.natural_periods) {

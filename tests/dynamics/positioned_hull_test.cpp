@@ -72,7 +72,7 @@ TEST(positioned_hull, is_refused_where_its_thrusters_cannot_hold_it) {
   d.station_keeping->limit = Vec3(100e3, 1e300, 1e300);
   d.vessel.loads = {{"tug", Vec3::Zero(), Vec3(101e3, 0.0, 0.0), Vec3::Zero()}};
   Model model = build_model(d);
-  const LayOutcome outcome = solve_moored_hull(model);
+  const ModelEquilibrium outcome = solve_moored_hull(model);
   ASSERT_TRUE(outcome.failure);
   EXPECT_NE(outcome.failure->why.find("all the thrust"), std::string::npos) << outcome.failure->why;
   StationKeepingDescription& law = *d.station_keeping;

@@ -108,6 +108,7 @@ def core_subjects():
         "Simulation.step": ([], {}), "Simulation.advance": ([0.1], {}), "Simulation.command": (["tensioner", 0.0], {}),
         "Simulation.state": ([], {}), "Simulation.reactions": ([], {}), "Simulation.vessel": ([], {}),
         "Simulation.energy": ([], {}), "Simulation.quasi_static": ([], {}), "Simulation.mooring": ([0], {}),
+        "Simulation.line": ([0], {}),
         "Simulation.machine": (["tensioner"], {}), "Simulation.save": ([], {}),
         "Simulation.restore": ([simulation.save()], {}),
         "Sought.save": (["sought"], {}),

@@ -38,7 +38,7 @@ Description moored_bgl1() {
 
 Second second_of(const Description& d) {
   Model model = build_model(d);
-  const LayOutcome lay = solve_lay(model);
+  const ModelEquilibrium lay = solve_lay(model);
   Second second;
   second.statics = checked_statics(model, lay);
   const DynamicOutcome outcome = run_dynamics(model, *lay.solution, second.statics, dynamic_options(model), second.sink,
@@ -229,7 +229,7 @@ TEST(mooring_watch, a_resumed_run_tells_the_same_bits) {
   d.dynamics->output_step = 0.125;
   d.moorings->lines[0].fails_at = 0.24;
   Model model = build_model(d);
-  const LayOutcome lay = solve_lay(model);
+  const ModelEquilibrium lay = solve_lay(model);
   const StaticResults statics = checked_statics(model, lay);
   const auto run = [&](testing::MemorySink& sink, const DynamicCheckpoint* from, double checkpoint_at) {
     const auto control = [&](const DynamicProgress& at) {

@@ -19,8 +19,9 @@ DynamicOutcome run(
     const std::function<DynamicControl(const DynamicProgress&)>& control = [](const DynamicProgress&) {
       return DynamicControl::go_on;
     }) {
-  return run_dynamics(hull.model, hull.start(), of_hull_alone(*hull.rest.moorings), dynamic_options(hull.model), sink,
-                      from, control);
+  StaticResults statics;
+  statics.moorings = hull.rest.moorings;
+  return run_dynamics(hull.model, hull.start(), statics, dynamic_options(hull.model), sink, from, control);
 }
 
 Description in_a_sea() {

@@ -37,7 +37,8 @@ void write_lay(const std::string& kind, const std::string& file) {
   write_report(statics, results, bgl1().model_text, file);
 }
 
-void write_moorings(MooringResults results, const std::string& file) {
+void write_moorings(MooringResults moorings, const std::string& file) {
+  StaticResults results = synthetic_hull_alone(std::move(moorings));
   results.hull = synthetic_hull();
   write_report(results, example_text("moored-barge"), file);
 }
@@ -53,7 +54,10 @@ int main(int count, char** words) {
       {"moorings", [](const std::string& file) { write_moorings(synthetic_stages(), file); }},
       {"moored_in_time", [](const std::string& file) { std::ofstream(file) << moored_page_in_time(); }},
       {"pull_ahead", [](const std::string& file) { write_moorings(synthetic_pull_ahead(), file); }},
-      {"lines", [](const std::string& file) { write_report(synthetic_lines(true), example_text("jumper"), file); }},
+      {"lines",
+       [](const std::string& file) {
+         write_report(synthetic_lines(), synthetic_lines_in_time(), example_text("jumper"), file);
+       }},
       {"abandonment",
        [](const std::string& file) { write_operation_report(synthetic_abandonment(), abandonment_text(), file); }},
       {"start_up",

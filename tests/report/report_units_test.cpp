@@ -74,8 +74,10 @@ TEST(report_units, of_a_lay_in_time_are_customary_where_that_is_asked_for) {
 TEST(report_units, of_moored_hulls_and_lines_are_customary_where_that_is_asked_for) {
   const UsUnits units;
   expect_us(testing::moored_page_in_time());
-  expect_us(report_html(testing::synthetic_pull_ahead(), testing::example_text("moored-barge")));
-  expect_us(report_html(testing::synthetic_lines(true), testing::example_text("jumper")));
+  expect_us(report_html(testing::synthetic_hull_alone(testing::synthetic_pull_ahead()),
+                        testing::example_text("moored-barge")));
+  expect_us(
+      report_html(testing::synthetic_lines(), testing::synthetic_lines_in_time(), testing::example_text("jumper")));
 }
 
 TEST(report_units, of_operations_and_studies_are_customary_where_that_is_asked_for) {
@@ -115,7 +117,7 @@ TEST(report_units, numbers_are_those_of_independent_factors) {
 
 TEST(report_units, of_damping_and_stiffness_follow_from_force_and_length) {
   const std::string text = testing::example_text("moored-barge");
-  MooringResults results = testing::synthetic_stages();
+  StaticResults results = testing::synthetic_hull_alone(testing::synthetic_stages());
   results.hull = testing::synthetic_hull();
   const ModeDampingResult mode = results.hull->damping.front();
   const UsUnits units;
@@ -124,7 +126,7 @@ TEST(report_units, of_damping_and_stiffness_follow_from_force_and_length) {
   EXPECT_EQ(mode.mode, "surge");
   EXPECT_TRUE(has(page, fmt::format("<td>{:.4g}</td>", mode.critical * kPerMetre)));
   EXPECT_TRUE(has(page, "[kip/ft, kip, kip ft]"));
-  EXPECT_TRUE(has(page, fmt::format("<td>{:.5g}</td>", results.rest.vessel.stiffness[0] * kPerMetre)));
+  EXPECT_TRUE(has(page, fmt::format("<td>{:.5g}</td>", results.moorings->rest.vessel.stiffness[0] * kPerMetre)));
 }
 
 TEST(report_units, plain_numbers_have_no_more_digits_than_mean_something) {

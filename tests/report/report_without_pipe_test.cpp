@@ -9,11 +9,13 @@ namespace {
 
 using testing::count;
 using testing::example_text;
+using testing::synthetic_hull_alone;
 using testing::synthetic_lines;
+using testing::synthetic_lines_in_time;
 using testing::visible;
 
 TEST(report_without_pipe, of_moorings_begins_with_a_verdict_and_has_what_applies) {
-  MooringResults results = testing::synthetic_stages();
+  StaticResults results = synthetic_hull_alone(testing::synthetic_stages());
   results.hull = testing::synthetic_hull();
   CheckRow lines;
   lines.id = "mooring_load";
@@ -55,8 +57,9 @@ TEST(report_without_pipe, of_moorings_in_time_begins_with_the_run_and_has_no_pip
 
 TEST(report_without_pipe, numbers_its_figures_in_the_order_of_the_page) {
   for (const std::string& page :
-       {report_html(testing::synthetic_stages(), example_text("moored-barge")), testing::moored_page_in_time(),
-        report_html(synthetic_lines(true), example_text("jumper"))}) {
+       {report_html(synthetic_hull_alone(testing::synthetic_stages()), example_text("moored-barge")),
+        testing::moored_page_in_time(),
+        report_html(synthetic_lines(), synthetic_lines_in_time(), example_text("jumper"))}) {
     std::size_t at = 0;
     int number = 0;
     while ((at = page.find("<figcaption>Figure ", at)) != std::string::npos) {
@@ -68,25 +71,26 @@ TEST(report_without_pipe, numbers_its_figures_in_the_order_of_the_page) {
 }
 
 TEST(report_without_pipe, lists_the_inputs_of_hull_and_moorings) {
-  const std::string text = visible(report_html(testing::synthetic_moorings(), example_text("moored-barge")));
+  const std::string text =
+      visible(report_html(synthetic_hull_alone(testing::synthetic_moorings()), example_text("moored-barge")));
   EXPECT_NE(text.find("<td class=\"t\">Mass</td><td>19121.6</td>"), std::string::npos) << text;
   EXPECT_NE(text.find("Types of line"), std::string::npos);
   EXPECT_NE(text.find("bearing 335.0 deg, 1000 m"), std::string::npos);
 }
 
 TEST(report_without_pipe, of_lines_shows_each_end_and_over_time_only_after_a_run) {
-  const std::string rest = visible(report_html(synthetic_lines(false), example_text("jumper")));
+  const std::string rest = visible(report_html(synthetic_lines(), example_text("jumper")));
   EXPECT_NE(rest.find("Static analysis of lines"), std::string::npos);
   EXPECT_NE(rest.find("<div class=\"words\">NOT JUDGED</div>"), std::string::npos);
   EXPECT_EQ(rest.find("Tension over time"), std::string::npos);
-  const std::string moved = visible(report_html(synthetic_lines(true), example_text("jumper")));
+  const std::string moved = visible(report_html(synthetic_lines(), synthetic_lines_in_time(), example_text("jumper")));
   EXPECT_NE(moved.find("Tension over time"), std::string::npos);
   EXPECT_NE(moved.find("54 s after a build-up of 27 s"), std::string::npos);
   EXPECT_NE(moved.find("<td class=\"t\">jumper</td><td class=\"t\">first</td><td>33.00</td>"), std::string::npos);
 }
 
 TEST(report_without_pipe, shows_results_even_where_the_model_can_no_longer_be_read) {
-  const std::string text = visible(report_html(testing::synthetic_moorings(), "no: [model"));
+  const std::string text = visible(report_html(synthetic_hull_alone(testing::synthetic_moorings()), "no: [model"));
   EXPECT_EQ(text.find("<section id=\"inputs\">"), std::string::npos);
   EXPECT_NE(text.find("<section id=\"moorings\">"), std::string::npos);
 }

@@ -100,13 +100,19 @@ MotionSpread motion_of(double mean, double slow, double wave) {
 
 MooringResults synthetic_moorings() {
   MooringResults results;
-  results.title = "BGL-1 on eight moorings";
-  results.version = "test";
-  results.assumptions = {{AssumptionRank::governing, "Mooring lines are elastic catenaries."}};
   results.rest = state_of("static", 0.0, 0.0, 0.0);
   results.rest.vessel.natural_periods = {{"sway", 77.1}, {"surge", 66.9}, {"yaw", 44.6}};
   results.rest.vessel.stiffness.assign(36, 0.0);
   for (std::size_t i = 0; i < 6; ++i) results.rest.vessel.stiffness[7 * i] = 1.848e5 * std::pow(10.0, i);
+  return results;
+}
+
+StaticResults synthetic_hull_alone(MooringResults moorings) {
+  StaticResults results;
+  results.title = "BGL-1 on eight moorings";
+  results.version = "test";
+  results.assumptions = {{AssumptionRank::governing, "Mooring lines are elastic catenaries."}};
+  results.moorings = std::move(moorings);
   return results;
 }
 
@@ -212,7 +218,7 @@ void add_moored_dynamics(DynamicResults& results) {
 }
 
 std::string moored_page_in_time() {
-  MooringResults rest = synthetic_moorings();
+  StaticResults rest = synthetic_hull_alone(synthetic_moorings());
   rest.hull = synthetic_hull();
   DynamicResults results;
   results.duration = 3600.0;
@@ -255,14 +261,13 @@ std::string moored_page_in_time() {
                               4.6,
                               true});
   add_moored_dynamics(results);
-  return report_html(of_hull_alone(std::move(rest)), results, example_text("moored-barge"));
+  return report_html(rest, results, example_text("moored-barge"));
 }
 
-LinesResults synthetic_lines(bool moved) {
-  LinesResults results;
+StaticResults synthetic_lines() {
+  StaticResults results;
   results.title = "A jumper";
   results.version = "test";
-  results.moved = moved;
   LineResult line;
   line.name = "jumper";
   line.length = 170.0;
@@ -273,27 +278,42 @@ LinesResults synthetic_lines(bool moved) {
     node.s = 170.0 * share;
     node.place = {-100.0 + 100.0 * share, 0.0, -55.0 + 50.0 * share - 60.0 * std::sin(std::numbers::pi * share)};
     node.tension = 12e3 + 60e3 * std::abs(share - 0.35);
-    node.least_tension = 0.8 * node.tension;
-    node.largest_tension = 1.3 * node.tension;
     line.nodes.push_back(node);
   }
   line.least_tension = 12e3;
   line.largest_tension = 51e3;
   line.first.tension = 33e3;
   line.second.tension = 51e3;
-  if (moved) {
-    line.least_in_time = 9.6e3;
-    line.largest_in_time = 66.3e3;
-    line.first.in_time = {26e3, 43e3, 33e3, 5e3};
-    line.second.in_time = {41e3, 66e3, 51e3, 8e3};
-    for (int i = -27; i <= 54; ++i) {
-      results.time.push_back(i);
-      const double swing = std::sin(2.0 * std::numbers::pi * i / 27.0);
-      line.first_history.push_back(33e3 + 8e3 * swing);
-      line.second_history.push_back(51e3 + 12e3 * swing);
-    }
+  results.lines.push_back(line);
+  return results;
+}
+
+DynamicResults synthetic_lines_in_time() {
+  DynamicResults results;
+  results.duration = 54.0;
+  results.build_up = 27.0;
+  results.output_step = 1.0;
+  LineDynamics line;
+  line.name = "jumper";
+  line.least_tension = 9.6e3;
+  line.largest_tension = 66.3e3;
+  line.first_tension = {26e3, 43e3, 33e3, 5e3};
+  line.second_tension = {41e3, 66e3, 51e3, 8e3};
+  for (const LineNodeResult& node : synthetic_lines().lines.front().nodes) {
+    line.least_at_nodes.push_back(0.8 * node.tension);
+    line.largest_at_nodes.push_back(1.3 * node.tension);
   }
   results.lines.push_back(line);
+  HistorySummary first{"line/jumper/first_tension", "N", "", line.first_tension, {}, {}};
+  HistorySummary second{"line/jumper/second_tension", "N", "", line.second_tension, {}, {}};
+  for (int i = -27; i <= 54; ++i) {
+    const double swing = std::sin(2.0 * std::numbers::pi * i / 27.0);
+    first.low.push_back(33e3 + 8e3 * swing);
+    second.low.push_back(51e3 + 12e3 * swing);
+  }
+  first.high = first.low;
+  second.high = second.low;
+  results.histories = {first, second};
   return results;
 }
 

@@ -3,12 +3,15 @@
 #pragma once
 
 #include "results/dynamic_results.h"
-#include "results/line_results.h"
+#include "results/static_results.h"
 
 namespace overbend::testing {
 
 /// BGL-1 on eight lines, tensions of the planner against 205.6 kN of pipe; `stages`: of the operation.
 MooringResults synthetic_moorings();
+
+/// Statics of the barge without a pipe with these.
+StaticResults synthetic_hull_alone(MooringResults moorings);
 
 /// The same with a current and a parted line as stages.
 MooringResults synthetic_stages();
@@ -25,8 +28,9 @@ void add_moored_dynamics(DynamicResults& results);
 /// The report of such a run of the barge without a pipe.
 std::string moored_page_in_time();
 
-/// A jumper between two ends, at rest or moved.
-LinesResults synthetic_lines(bool moved);
+/// A jumper between two ends at rest, and a run from there.
+StaticResults synthetic_lines();
+DynamicResults synthetic_lines_in_time();
 
 /// The text of examples/NAME.yaml.
 std::string example_text(const char* name);

@@ -20,15 +20,5 @@ TEST(findings, of_a_run_in_time_are_its_own_and_then_those_of_statics_each_once)
   EXPECT_EQ(messages(all_findings(statics, results)), (Texts{"in time", "of both", "of statics"}));
 }
 
-TEST(findings, of_statics_without_a_pipe_are_those_of_the_hull_on_its_moorings) {
-  StaticResults statics;
-  statics.moorings.emplace();
-  statics.moorings->findings = {about("of the hull")};
-  EXPECT_EQ(messages(static_findings(statics)), Texts{"of the hull"});
-  statics.stations.resize(1);
-  statics.findings = {about("of the lay")};
-  EXPECT_EQ(messages(static_findings(statics)), Texts{"of the lay"});
-}
-
 }  // namespace
 }  // namespace overbend

@@ -35,7 +35,7 @@ void run(Finished& made) {
   d.dynamics->duration = 1.5;
   d.dynamics->build_up = 0.5;
   Model model = build_model(d);
-  const LayOutcome lay = solve_lay(model);
+  const ModelEquilibrium lay = solve_lay(model);
   made.statics = checked_statics(model, lay);
   tell_hull(model, made.statics);
   RunStore store = RunStore::create(made.folder / "run", d.source_text, 1);

@@ -45,7 +45,7 @@ TEST(stinger_seek, finds_the_ballast_for_the_angle_as_drawn) {
   Description d = read_model(kFolder + "HS16-tanks.yaml").description.value();
   d.supports.sections[0].tanks[0].ballast = found.unknowns[0].answer;
   Model model = build_model(d);
-  const LayOutcome outcome = solve_lay(model);
+  const ModelEquilibrium outcome = solve_lay(model);
   ASSERT_TRUE(outcome.solution);
   EXPECT_NEAR(model.supports.sections[0].angle, 0.0, 1e-5);
 }
@@ -65,7 +65,7 @@ TEST(ballast_operation, solves_its_stages_one_after_the_other) {
 /// The lay as solved in full, stinger and all.
 StaticResults solved(const Description& d) {
   Model model = build_model(d);
-  const LayOutcome outcome = solve_lay(model);
+  const ModelEquilibrium outcome = solve_lay(model);
   return recover_statics(model, outcome.solution.value());
 }
 
@@ -78,7 +78,7 @@ void expect_full_changes(const Change& change, double way) {
   constexpr double kRest = 2.0;    // of reactions, to which lays solved apart from each other agree [N]
   const Description d = read_model(OVERBEND_SOURCE_DIR "/examples/floating_stinger.yaml").description.value();
   Model model = build_model(d);
-  const LayOutcome outcome = solve_lay(model);
+  const ModelEquilibrium outcome = solve_lay(model);
   ASSERT_TRUE(outcome.solution);
   SensitivityLay lay(model, *outcome.solution);
   const auto changed = [&](double by) {

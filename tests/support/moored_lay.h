@@ -24,7 +24,7 @@ inline Description coarse_example(const char* name, double duration, double buil
 struct SolvedLay {
   explicit SolvedLay(const Description& d) : model(build_model(d)), lay(solve_lay(model)) {}
   Model model;
-  LayOutcome lay;
+  ModelEquilibrium lay;
   double tension() const { return model.description.tensioner.tension.value(); }
 };
 
@@ -36,7 +36,7 @@ struct SolvedHull {
   const StaticSolution& start() const { return *rest.solution; }
 
   Model model;
-  LayOutcome rest;
+  ModelEquilibrium rest;
 };
 
 /// Its results.

@@ -8,8 +8,8 @@
 #include "results/findings.h"
 #include "results/worst_stage.h"
 #include "runstore/staged_folder.h"
-#include "study/run/operation_run.h"
 #include "study/run/recheck.h"
+#include "study/stages/lay_operation.h"
 
 namespace overbend {
 namespace {

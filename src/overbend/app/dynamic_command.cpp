@@ -9,7 +9,7 @@
 #include "app/fatigue_lines.h"
 #include "app/finding_lines.h"
 #include "app/follow_study.h"
-#include "app/lines_command.h"
+#include "app/free_lines.h"
 #include "app/mooring_lines.h"
 #include "app/seeds_lines.h"
 #include "base/finding.h"
@@ -18,7 +18,6 @@
 #include "model/model_findings.h"
 #include "resultfiles/dynamic/dynamic_reader.h"
 #include "results/findings.h"
-#include "study/run/lines_run.h"
 #include "study/run/run_folder.h"
 #include "study/stages/stage_choice.h"
 
@@ -59,8 +58,8 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
   std::cout << statics.title << "\n";
   if (statics.has_pipe()) print_pipe(statics, r);
   std::cout << moored_dynamics_lines(r);
-  const std::optional<HullResults>& hull = statics.has_pipe() ? statics.hull : statics.moorings->hull;
-  if (hull) std::cout << hull_lines(*hull);
+  std::cout << lines_in_time(statics.lines, r.lines);
+  if (statics.hull) std::cout << hull_lines(*statics.hull);
   if (statics.has_pipe()) std::cout << fatigue_lines(r);
   std::cout << check_lines(r.checks);
   std::cout << fmt::format("  {:<28}{:>12.1e} of the energy exchanged\n", "energy drift", r.energy.drift());
@@ -142,10 +141,6 @@ int run_dynamic(const DynamicArguments& arguments) {
   if (const std::optional<RunEnd> lost = files_in_the_way(arguments.model_file, folder)) return tell(*lost);
   StudyPlan plan;
   try {
-    if (is_lines_alone(*description) && arguments.stage.empty()) {
-      return run_dynamic_lines(*description, duration_of(arguments.duration), folder, arguments.take_up,
-                               arguments.checkpoint_every);
-    }
     plan = plan_of(*description, arguments);
     const std::string stage = wanted_stage(arguments, case_folders(plan, folder));
     if (const std::optional<RunEnd> fault = take_stage(stage, *description)) return tell(*fault);

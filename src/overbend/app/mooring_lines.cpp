@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/check_lines.h"
-#include "app/finding_lines.h"
 #include "base/shown_unit.h"
 
 namespace overbend {
@@ -132,11 +130,6 @@ std::string moored_dynamics_lines(const DynamicResults& results) {
                     cell(t.wave.std), cell(t.whole.min), cell(t.whole.max), in_three_hours(t, "N", 1));
   }
   return text;
-}
-
-std::string mooring_lines(const MooringResults& results) {
-  return results.title + "\n" + moored_state_lines(results) + (results.hull ? hull_lines(*results.hull) : "") +
-         check_lines(results.checks) + verdict_line(results.checks, results.findings) + finding_lines(results.findings);
 }
 
 }  // namespace overbend

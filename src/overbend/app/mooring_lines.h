@@ -7,9 +7,7 @@
 
 namespace overbend {
 
-std::string mooring_lines(const MooringResults& results);
-
-/// The same without title and warnings.
+/// Where the hull lies and its lines, at rest and stage by stage.
 std::string moored_state_lines(const MooringResults& results);
 
 /// Damping ratios of the slow motions and how well the fit represents the radiation.

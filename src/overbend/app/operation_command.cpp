@@ -11,7 +11,6 @@
 #include "results/findings.h"
 #include "results/worst_stage.h"
 #include "runstore/staged_folder.h"
-#include "study/run/operation_run.h"
 #include "study/run/prepared_case.h"
 #include "study/stages/lay_operation.h"
 

@@ -8,7 +8,6 @@
 #include "app/exit_code.h"
 #include "app/pdf.h"
 #include "resultfiles/dynamic/dynamic_reader.h"
-#include "resultfiles/lines/lines_reader.h"
 #include "resultfiles/stages/operation_reader.h"
 #include "resultfiles/static/results_reader.h"
 
@@ -22,15 +21,9 @@ void write_again(const fs::path& h5, const fs::path& file) {
   if (has_lay_operation(h5)) {
     const StoredOperation stored = read_operation_results(h5);
     write_operation_report(stored.results, stored.model_text, file);
-  } else if (has_lines(h5)) {
-    const StoredLines stored = read_lines_results(h5);
-    write_report(stored.results, stored.model_text, file);
   } else if (has_dynamic(h5)) {
     const StoredDynamics stored = read_dynamic_results(h5);
     write_report(stored.statics.results, stored.results, stored.statics.model_text, file);
-  } else if (has_moorings_alone(h5)) {
-    const StoredMoorings stored = read_mooring_results(h5);
-    write_report(stored.results, stored.model_text, file);
   } else {
     const StoredStatics stored = read_static_results(h5);
     write_report(stored.results, stored.model_text, file,

@@ -6,8 +6,8 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/finding_lines.h"
+#include "app/free_lines.h"
 #include "app/friction_lines.h"
-#include "app/lines_command.h"
 #include "app/mooring_lines.h"
 #include "app/operation_command.h"
 #include "app/sensitivity_lines.h"
@@ -16,12 +16,7 @@
 #include "base/shown_unit.h"
 #include "report/page/places.h"
 #include "runstore/staged_folder.h"
-#include "statics/moored/moored_lay.h"
-#include "statics/moored/moored_statics.h"
-#include "statics/solver/statics.h"
 #include "study/run/input_findings.h"
-#include "study/run/lines_run.h"
-#include "study/run/mooring_run.h"
 #include "study/run/prepared_case.h"
 #include "study/run/static_run.h"
 #include "study/sensitivity/sensitivities.h"
@@ -64,8 +59,7 @@ void print_laid_pipe(const BedResults& bed) {
   }
 }
 
-void print_results(const StaticResults& r) {
-  std::cout << r.title << "\n";
+void print_pipe(const StaticResults& r) {
   number("top tension", r.top_tension, "N");
   number("horizontal tension", r.bottom_tension, "N");
   number("lay-back", r.lay_back, "m");
@@ -87,12 +81,21 @@ void print_results(const StaticResults& r) {
   }
   std::cout << stinger_lines(r);
   std::cout << friction_lines(r);
-  if (r.moorings) std::cout << moored_state_lines(*r.moorings);
-  if (r.hull) std::cout << hull_lines(*r.hull);
-  std::cout << check_lines(r.checks);
+}
+
+void print_solver(const StaticResults& r) {
   line("balance of forces",
        fmt::format("{:>12.1e} of the weight at a node, {:.1e} as a whole", r.force_residual, r.global_residual));
   line("solver", fmt::format("{:>12.3f} s, {} iterations, {}", r.solve.wall_time, r.solve.iterations, r.solve.method));
+}
+
+void print_results(const StaticResults& r) {
+  std::cout << r.title << "\n";
+  if (r.has_pipe()) print_pipe(r);
+  if (r.moorings) std::cout << moored_state_lines(*r.moorings);
+  if (r.hull) std::cout << hull_lines(*r.hull);
+  std::cout << lines_at_rest(r.lines) << check_lines(r.checks);
+  if (r.has_pipe()) print_solver(r);
   std::cout << verdict_line(r.checks, r.findings) << finding_lines(r.findings);
 }
 
@@ -111,21 +114,6 @@ int tell_failure(const StaticFailure& failure, const Model& model) {
   return code;
 }
 
-/// A hull and its mooring lines, without a pipe.
-int run_static_moorings(const Description& description, Model& model, const fs::path& folder) {
-  LayOutcome outcome = solve_moored_hull(model);
-  if (outcome.failure) return tell_failure(*outcome.failure, model);
-  MooringResults& results = *outcome.moorings;
-  tell_hull(model, results);
-  try {
-    write_mooring_run(results, description, folder);
-  } catch (const UnusableFolder& fault) {
-    return tell({RunEnding::wrong_input, fault.what()});
-  }
-  std::cout << mooring_lines(results) << "Results are in " << folder.string() << "\n";
-  return kDone;
-}
-
 }  // namespace
 
 int run_static(const StaticArguments& arguments) {
@@ -140,17 +128,15 @@ int run_static(const StaticArguments& arguments) {
   } else if (is_lay_operation(description->operation.type)) {
     return run_static_operation(*description, folder, arguments.strict);
   }
-  if (is_lines_alone(*description)) return run_static_lines(*description, folder);
   Model model = build_model(*description);
-  if (is_moored_hull(*description)) return run_static_moorings(*description, model, folder);
-  const LayOutcome outcome = solve_lay(model);
-  if (outcome.failure) return tell_failure(*outcome.failure, model);
-  StaticResults results = checked_statics(model, outcome);
-  tell_friction(model, outcome, results);
+  const StaticRun run = run_statics(model);
+  if (run.failure) return tell_failure(*run.failure, model);
+  StaticResults results = *run.results;
+  tell_friction(model, *run.solution, results);
   tell_hull(model, results);
   std::optional<SensitivityResults> sensitivities;
   if (arguments.sensitivities) {
-    sensitivities = find_sensitivities(model, *outcome.solution);
+    sensitivities = find_sensitivities(model, *run.solution);
     if (!sensitivities) results.findings.push_back({FindingCode::sensitivities_missing, kNoSensitivities});
   }
   try {

@@ -162,20 +162,24 @@ std::vector<CheckRow> mooring_rows(const Description& description, const Mooring
   return rows;
 }
 
-std::vector<CheckRow> line_rows(const Description& description, const LinesResults& results) {
+std::vector<CheckRow> line_rows(const Description& description, const std::vector<LineResult>& lines,
+                                const std::vector<LineDynamics>* in_time) {
   const std::optional<double>& own = description.checks.safety_factors.line;
   const SafetyFactor factor =
       own ? SafetyFactor{*own, "checks.safety_factors.line"}
-          : SafetyFactor{results.moved ? 1.67 : 2.0, "assumed: that of a mooring line, API RP 2SK"};
+          : SafetyFactor{in_time != nullptr ? 1.67 : 2.0, "assumed: that of a mooring line, API RP 2SK"};
   WorstRow worst;
-  for (const LineResult& line : results.lines) {
-    const bool in_time = results.moved && line.utilisation_in_time.has_value();
-    const std::optional<double>& use = in_time ? line.utilisation_in_time : line.utilisation;
-    worst.add(kLine, use, in_time ? std::max(line.largest_in_time, line.largest_tension) : line.largest_tension,
-              line.name, factor);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const LineResult& line = lines[i];
+    const LineDynamics* const moved = in_time != nullptr ? &in_time->at(i) : nullptr;
+    if (moved != nullptr && moved->utilisation) {
+      worst.add(kLine, moved->utilisation, std::max(moved->largest_tension, line.largest_tension), line.name, factor);
+    } else {
+      worst.add(kLine, line.utilisation, line.largest_tension, line.name, factor);
+    }
   }
   std::vector<CheckRow> rows;
-  worst.put(rows, results.moved);
+  worst.put(rows, in_time != nullptr);
   return rows;
 }
 

@@ -38,6 +38,7 @@ std::vector<CheckRow> mooring_rows(const Description& description, const Mooring
                                    const DynamicResults* dynamics);
 
 /// Of lines by themselves: the line used most.
-std::vector<CheckRow> line_rows(const Description& description, const LinesResults& results);
+std::vector<CheckRow> line_rows(const Description& description, const std::vector<LineResult>& lines,
+                                const std::vector<LineDynamics>* in_time);
 
 }  // namespace overbend

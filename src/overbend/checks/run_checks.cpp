@@ -107,6 +107,20 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
   return table;
 }
 
+/// Of mooring lines, anchors and lines that stand by themselves. `dynamics`: of a run from that rest, or null.
+CheckTable table_without_pipe(const Description& description, const StaticResults& statics,
+                              const DynamicResults* dynamics) {
+  CheckTable table;
+  if (statics.moorings) table.rows = mooring_rows(description, *statics.moorings, dynamics);
+  if (statics.moorings && dynamics != nullptr && dynamics->duration < kThreeHours) {
+    for (CheckRow& row : table.rows) say_duration(row, dynamics->duration);
+  }
+  const std::vector<CheckRow> lines =
+      line_rows(description, statics.lines, dynamics != nullptr ? &dynamics->lines : nullptr);
+  table.rows.insert(table.rows.end(), lines.begin(), lines.end());
+  return table;
+}
+
 /// The table's assumptions are the last of the results'; checks that are not judged are findings.
 template <class Results>
 void put(CheckTable table, Results& results) {
@@ -124,18 +138,12 @@ void put(CheckTable table, Results& results) {
 }  // namespace
 
 CheckTable check_statics(const Model& model, const StaticResults& statics) {
+  if (!statics.has_pipe()) return table_without_pipe(model.description, statics, nullptr);
   return table_of(model, statics, nullptr, static_stations(model, statics));
 }
 
 CheckTable check_dynamics(const Model& model, const StaticResults& statics, const DynamicResults& dynamics) {
-  if (!statics.has_pipe()) {
-    CheckTable table;
-    table.rows = mooring_rows(model.description, *statics.moorings, &dynamics);
-    if (dynamics.duration < kThreeHours) {
-      for (CheckRow& row : table.rows) say_duration(row, dynamics.duration);
-    }
-    return table;
-  }
+  if (!statics.has_pipe()) return table_without_pipe(model.description, statics, &dynamics);
   return table_of(model, statics, &dynamics, dynamic_stations(model, statics, dynamics));
 }
 
@@ -145,18 +153,6 @@ void fill_checks(const Model& model, StaticResults& statics) {
 
 void fill_checks(const Model& model, const StaticResults& statics, DynamicResults& dynamics) {
   put(check_dynamics(model, statics, dynamics), dynamics);
-}
-
-void fill_checks(const Model& model, MooringResults& results) {
-  CheckTable table;
-  table.rows = mooring_rows(model.description, results, nullptr);
-  put(std::move(table), results);
-}
-
-void fill_checks(const Model& model, LinesResults& results) {
-  CheckTable table;
-  table.rows = line_rows(model.description, results);
-  put(std::move(table), results);
 }
 
 }  // namespace overbend

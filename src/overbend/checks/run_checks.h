@@ -18,7 +18,5 @@ CheckTable check_dynamics(const Model& model, const StaticResults& statics, cons
 void fill_checks(const Model& model, StaticResults& statics);
 void fill_checks(const Model& model, const StaticResults& statics, DynamicResults& dynamics);
 /// Of a hull and its mooring lines without a pipe; of lines by themselves.
-void fill_checks(const Model& model, MooringResults& results);
-void fill_checks(const Model& model, LinesResults& results);
 
 }  // namespace overbend

@@ -15,7 +15,6 @@
 #include "python/without_lock.h"
 #include "runstore/run_store.h"
 #include "study/run/case.h"
-#include "study/run/lines_run.h"
 #include "study/run/prepared_case.h"
 #include "study/seeds/study.h"
 
@@ -64,40 +63,7 @@ void require_wish(const std::vector<fs::path>& folders, const RunWish& wish) {
   }
 }
 
-/// Lines by themselves: one run.
-RunEnd run_lines_alone(Description description, const RunWish& wish, const fs::path& folder, RunWatch& watch) {
-  set_duration(description, wish.duration);
-  if (!description.dynamics) return failed_end(without_dynamics(), description);
-  require_wish({folder}, wish);
-  const Model model = build_model(description);
-  DynamicOptions options = dynamic_options(model);
-  if (!wish.seeds.empty()) options.seed = wish.seeds.front();
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point last = Clock::now();
-  const LinesOutcome outcome = run_lines_in(folder, model, options, wish.resume, [&](const DynamicProgress& at) {
-    watch.progress(0, at);
-    if (watch.stop()) return DynamicControl::stop;
-    if (std::chrono::duration<double>(Clock::now() - last).count() < wish.checkpoint_every) {
-      return DynamicControl::go_on;
-    }
-    last = Clock::now();
-    return DynamicControl::checkpoint;
-  });
-  if (outcome.stopped) return {RunEnding::interrupted, "interrupted"};
-  if (outcome.failure) throw SolveFault(*outcome.failure);
-  return {};
-}
-
 StudyEnd run_in(const Description& description, const RunWish& wish, const fs::path& folder, RunWatch& watch) {
-  if (is_lines_alone(description)) {
-    if (!wish.controllers.empty()) throw std::invalid_argument("lines by themselves have no machine to control");
-    if (wish.several || !wish.of.empty()) {
-      throw std::invalid_argument("lines by themselves have one run at a time: model.dynamic(seed=...)");
-    }
-    StudyEnd end;
-    static_cast<RunEnd&>(end) = run_lines_alone(description, wish, folder, watch);
-    return end;
-  }
   const StudyPlan plan = plan_of(description, wish);
   require_wish(case_folders(plan, folder), wish);
   return run_study(description, plan, folder, {wish.resume, wish.checkpoint_every, wish.threads}, watch, hdf5_lock());

@@ -14,7 +14,6 @@
 #include "resultfiles/stages/operation_writer.h"
 #include "resultfiles/static/case_summary.h"
 #include "resultfiles/summary/summary_json.h"
-#include "study/run/operation_run.h"
 #include "study/stages/lay_operation.h"
 
 namespace overbend {
@@ -91,8 +90,8 @@ std::shared_ptr<StaticsHandle> stage_of(const GivenOperation& operation, std::si
   const std::vector<StageResult>& stages = operation->results.stages;
   const StageResult& stage = stages[checked_index(number, stages.size(), "stages")];
   if (!stage.lay) return nullptr;
-  ModelStatics statics;
-  statics.lay = stage.lay;
+  StaticRun statics;
+  statics.results = stage.lay;
   return std::make_shared<StaticsHandle>(operation->model, stage.stage.name, std::move(statics));
 }
 

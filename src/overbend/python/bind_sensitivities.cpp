@@ -19,7 +19,7 @@ SensitivityResults sensitivities_at(const ModelHandle& model, const std::string&
   const Description description = chosen_description(model, stage);
   if (!description.has_pipe) throw std::invalid_argument("sensitivities are those of a lay; the model has no pipe");
   Model lay = build_model(description);
-  const LayOutcome outcome = solve_lay(lay);
+  const ModelEquilibrium outcome = solve_lay(lay);
   if (outcome.failure) throw SolveFault(*outcome.failure);
   std::optional<SensitivityResults> results = find_sensitivities(lay, *outcome.solution, wish);
   if (!results) throw EndedRun({RunEnding::no_solution, kNoSensitivities});

@@ -12,6 +12,7 @@
 #include "python/simulation_handle.h"
 #include "python/to_python.h"
 #include "python/without_lock.h"
+#include "recording/line_recorder.h"
 #include "runstore/checksum.h"
 #include "study/run/case.h"
 
@@ -142,6 +143,18 @@ py::dict mooring_of(const SimulationHandle& handle, std::size_t line) {
   return told;
 }
 
+/// Tensions at the ends of a line that stands by itself, by its number.
+py::dict line_of(const SimulationHandle& handle, std::size_t line) {
+  const Simulation& simulation = handle.simulation();
+  checked_index(line, simulation.lines().size(), "lines");
+  const std::size_t at = simulation.system().lines.size() - simulation.lines().size() + line;
+  const Instant now = simulation.now();
+  py::dict told;
+  told["first_tension"] = end_tension(*now.assembly, *now.state, at, LineEnd::first);
+  told["second_tension"] = end_tension(*now.assembly, *now.state, at, LineEnd::last);
+  return told;
+}
+
 /// The tensioner, or the winch of a mooring line of elements.
 py::dict machine_of(const SimulationHandle& handle, const std::string& name) {
   const Simulation& simulation = handle.simulation();
@@ -157,7 +170,7 @@ py::dict machine_of(const SimulationHandle& handle, const std::string& name) {
     told["paid_out"] = now.move.paid_out;
     told["speed"] = at.travel.v;
   } else {
-    told = mooring_of(handle, static_cast<std::size_t>(held.line) - 1);
+    told = mooring_of(handle, static_cast<std::size_t>(held.line) - first_mooring(simulation.system()));
     told["paid_out"] = at.way.moved;
     told["speed"] = at.way.rate;
   }
@@ -275,6 +288,7 @@ void add_simulation(py::module_& module) {
       .def_property_readonly("wall_time", [](const Handle& handle) { return handle->simulation().report().wall_time; })
       .def_property_readonly("elevation", [](const Handle& handle) { return handle->simulation().now().elevation; })
       .def_property_readonly("mooring_names", [](const Handle& handle) { return handle->simulation().moorings(); })
+      .def_property_readonly("line_names", [](const Handle& handle) { return handle->simulation().lines(); })
       .def_property_readonly("notes",
                              [](const Handle& handle) {
                                const Simulation& simulation = handle->simulation();
@@ -290,6 +304,8 @@ void add_simulation(py::module_& module) {
            [](const Handle& handle) { return moored_quasi_statically(*handle->simulation().now().assembly); })
       .def(
           "mooring", [](const Handle& handle, std::size_t line) { return mooring_of(*handle, line); }, py::arg("line"))
+      .def(
+          "line", [](const Handle& handle, std::size_t line) { return line_of(*handle, line); }, py::arg("line"))
       .def(
           "machine", [](const Handle& handle, const std::string& name) { return machine_of(*handle, name); },
           py::arg("name"))

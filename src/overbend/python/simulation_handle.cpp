@@ -19,9 +19,6 @@ std::shared_ptr<const PreparedCase> taken(std::variant<std::shared_ptr<const Pre
 std::shared_ptr<const PreparedCase> prepared_of(const ModelHandle& model, const std::string& stage,
                                                 std::optional<double> duration, const GivenControllers& controllers) {
   Description description = chosen_description(model, stage);
-  if (!description.has_pipe) {
-    throw std::invalid_argument("a simulation needs a pipe; model.dynamic() runs lines by themselves");
-  }
   set_duration(description, duration);
   return taken(prepare_case(description, uses_of(controllers)));
 }
@@ -41,14 +38,15 @@ SimulationHandle::SimulationHandle(const ModelHandle& model, const std::string& 
 
 std::size_t SimulationHandle::attachment_of(const std::string& machine) const {
   const System& system = simulation().system();
-  if (machine == kTensionerMachine) return static_cast<std::size_t>(system.machine);
+  if (machine == kTensionerMachine && system.machine >= 0) return static_cast<std::size_t>(system.machine);
   const std::vector<std::string>& names = simulation_->moorings();
   const auto named = std::find(names.begin(), names.end(), machine);
-  const int line = static_cast<int>(named - names.begin()) + 1;
+  const int line = static_cast<int>(named - names.begin()) + static_cast<int>(first_mooring(system));
   for (std::size_t i = 0; named != names.end() && i < system.attachments.size(); ++i) {
     if (system.attachments[i].line == line && system.attachments[i].end == LineEnd::last) return i;
   }
-  throw std::invalid_argument("there is no mooring line '" + machine + "' of elements");
+  throw std::invalid_argument(machine == kTensionerMachine ? "the model has no tensioner"
+                                                           : "there is no mooring line '" + machine + "' of elements");
 }
 
 /// One thread at a time, and no steps from within a controller.
@@ -99,6 +97,7 @@ void SimulationHandle::command(const std::string& machine, const MachineCommand&
 }
 
 NodeValues SimulationHandle::values() const {
+  if (simulation().system().machine < 0) throw std::invalid_argument("the model has no pipe");
   const Line& line = simulation().system().lines.front();
   const Instant now = simulation_->now();
   NodeValues values;

@@ -2,8 +2,6 @@
 
 #include "python/python_errors.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
-#include "resultfiles/lines/lines_writer.h"
-#include "resultfiles/moored/mooring_hdf5.h"
 #include "resultfiles/summary/summary_json.h"
 #include "study/run/lay_beside.h"
 #include "study/run/static_run.h"
@@ -40,16 +38,13 @@ StaticsHandle::StaticsHandle(std::shared_ptr<ModelHandle> model, const std::stri
     : model_(std::move(model)), stage_(stage) {
   const bool plain = stage_.empty() && !is_lay_operation(model_->still().operation.type);
   made_.emplace(build_model(plain ? model_->still() : chosen_description(*model_, stage_)));
-  const bool lay = made_->description.has_pipe;
-  const bool close = lay && start != nullptr && start->statics_.solution;
-  if (!lay) {
-    statics_ = solve_model(*made_);
-  } else if (!close || !take_lay(solve_lay(*made_, &*start->statics_.solution))) {
+  const bool close = made_->description.has_pipe && start != nullptr && start->statics_.solution;
+  if (!close || !take(solve_equilibrium(*made_, &*start->statics_.solution))) {
     made_.emplace(build_model(made_->description));  // as it was before the attempt
-    take_lay(solve_lay(*made_));
+    take(solve_equilibrium(*made_));
   } else {
     if (pushed_sideways(*made_)) {
-      statics_.lay->findings.push_back({FindingCode::other_equilibrium_possible, kStartedBeside});
+      statics_.results->findings.push_back({FindingCode::other_equilibrium_possible, kStartedBeside});
     }
     still_ = start->still();
   }
@@ -57,12 +52,12 @@ StaticsHandle::StaticsHandle(std::shared_ptr<ModelHandle> model, const std::stri
 }
 
 /// False where there is none.
-bool StaticsHandle::take_lay(LayOutcome outcome) {
+bool StaticsHandle::take(ModelEquilibrium equilibrium) {
   statics_ = {};
-  statics_.failure = std::move(outcome.failure);
+  statics_.failure = std::move(equilibrium.failure);
   if (statics_.failure) return false;
-  statics_.lay = unjudged_statics(*made_, outcome);
-  statics_.solution = std::move(outcome.solution);
+  statics_.results = unjudged_statics(*made_, equilibrium);
+  statics_.solution = std::move(equilibrium.solution);
   return true;
 }
 
@@ -71,14 +66,12 @@ std::optional<StaticSolution> StaticsHandle::still() const {
   return still_;
 }
 
-const ModelStatics& StaticsHandle::whole() const {
+const StaticRun& StaticsHandle::whole() const {
   const std::lock_guard<std::mutex> hold(mutex_);
   if (told_) return statics_;
-  if (statics_.lay) {
-    judge_statics(*made_, *statics_.solution, *statics_.lay, still_);
-    tell_friction(*made_, {statics_.solution, {}, {}}, *statics_.lay);
-  }
-  tell_hull(*made_, statics_);
+  judge_statics(*made_, *statics_.solution, *statics_.results, still_);
+  tell_friction(*made_, *statics_.solution, *statics_.results);
+  tell_hull(*made_, *statics_.results);
   told_ = true;
   return statics_;
 }
@@ -86,30 +79,17 @@ const ModelStatics& StaticsHandle::whole() const {
 Json StaticsHandle::summary(bool all) const {
   if (all) whole();
   const std::lock_guard<std::mutex> hold(mutex_);
-  if (statics_.lay) return static_summary_json(*statics_.lay);
-  if (statics_.moorings) return mooring_summary_json(*statics_.moorings);
-  return read_json(lines_summary(*statics_.lines));
+  return static_summary_json(*statics_.results);
 }
 
 std::shared_ptr<ResultTree> StaticsHandle::tree() const {
-  whole();
   auto tree = std::make_shared<ResultTree>();
-  const auto moorings = [&](const MooringResults& found) { write_moorings(*tree, found); };
-  if (statics_.lines) write_lines_groups(*tree, *statics_.lines);
-  if (statics_.moorings) {
-    moorings(*statics_.moorings);
-    if (statics_.moorings->hull) write_hull(*tree, *statics_.moorings->hull);
-  }
-  if (statics_.lay) {
-    write_lay_group(*tree, "/static", *statics_.lay);
-    if (statics_.lay->moorings) moorings(*statics_.lay->moorings);
-    if (statics_.lay->hull) write_hull(*tree, *statics_.lay->hull);
-  }
+  write_static_parts(*tree, *whole().results);
   return tree;
 }
 
 void StaticsHandle::save(const std::filesystem::path& folder) const {
-  write_model_statics(whole(), chosen_description(*model_, stage_), folder);
+  write_static_run(*whole().results, chosen_description(*model_, stage_), folder);
 }
 
 }  // namespace overbend

@@ -9,7 +9,7 @@
 #include "base/json.h"
 #include "python/model_handle.h"
 #include "resultfiles/hdf5/result_tree.h"
-#include "study/run/model_statics.h"
+#include "study/run/static_run.h"
 
 namespace overbend {
 
@@ -25,13 +25,13 @@ class StaticsHandle {
   /// a lay close by. Throws SolveFault where there is none, and what ModelHandle throws.
   StaticsHandle(std::shared_ptr<ModelHandle> model, const std::string& stage, const StaticsHandle* start);
   /// One that was found otherwise, with all that is told of it.
-  StaticsHandle(std::shared_ptr<ModelHandle> model, std::string stage, ModelStatics found)
+  StaticsHandle(std::shared_ptr<ModelHandle> model, std::string stage, StaticRun found)
       : model_(std::move(model)), stage_(std::move(stage)), told_(true), statics_(std::move(found)) {}
 
   /// With everything that is told beside the equilibrium itself and may take longer than that: code checks with the lay
   /// in still water, the limits of roller friction, the hull's radiation and damping. Found when they are asked for.
   /// May be called by several threads.
-  const ModelStatics& whole() const;
+  const StaticRun& whole() const;
   const std::shared_ptr<ModelHandle>& model() const { return model_; }
   /// As summary.json; with `all` false without what only whole() has.
   Json summary(bool all) const;
@@ -41,7 +41,7 @@ class StaticsHandle {
   void save(const std::filesystem::path& folder) const;
 
  private:
-  bool take_lay(LayOutcome outcome);
+  bool take(ModelEquilibrium equilibrium);
   std::optional<StaticSolution> still() const;
 
   std::shared_ptr<ModelHandle> model_;
@@ -49,7 +49,7 @@ class StaticsHandle {
   std::optional<Model> made_;
   mutable std::mutex mutex_;  ///< On what follows.
   mutable bool told_ = false;
-  mutable ModelStatics statics_;
+  mutable StaticRun statics_;
   mutable std::optional<StaticSolution> still_;  ///< The lay in still water, to start from and as found.
 };
 

@@ -163,7 +163,7 @@ std::vector<RecordedColumn> recorded_columns(const RecordedObjects& objects) {
   Columns columns;
   const Supports* const supports = objects.supports;
   add_time(columns, supports != nullptr ? "the stern shoe" : "midship");
-  add_vessel(columns);
+  if (objects.vessel) add_vessel(columns);
   if (supports != nullptr) {
     add_lay(columns);
     add_region(columns, supports->boxes.empty() ? "tower" : "overbend", kUpper);

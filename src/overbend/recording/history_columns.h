@@ -31,7 +31,8 @@ struct RecordedColumn {
 /// The objects of a run that have columns.
 struct RecordedObjects {
   const Supports* supports = nullptr;   ///< Of the pipe that is laid; null without one.
-  bool floating = false;                ///< Whether the vessel floats free or lies on lines.
+  bool vessel = true;                   ///< Whether anything is held by the vessel.
+  bool floating = false;                ///< Whether it floats free or lies on lines.
   std::vector<std::string> moorings{};  ///< Names of the mooring lines.
   std::vector<std::string> sections{};  ///< Of the stinger, that turn in time.
   Vec3 astern_W = Vec3::UnitX();        ///< Horizontal unit vector along which forces of their hinges are given.

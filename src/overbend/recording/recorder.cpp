@@ -23,7 +23,10 @@ bool afloat(const Simulation& simulation, const StaticResults& statics) {
 
 RecordedObjects objects_of(const Model& model, const Simulation& simulation, bool floating) {
   const bool pipe = simulation.system().machine >= 0;
+  const bool held = std::ranges::any_of(simulation.system().attachments,
+                                        [](const Attachment& attachment) { return attachment.body != kGround; });
   return {pipe ? &model.supports : nullptr,
+          held || floating,
           floating,
           simulation.moorings(),
           pipe ? sections_in_time(model) : std::vector<std::string>{},

@@ -8,7 +8,6 @@
 #include "report/moored/hull_section.h"
 #include "report/moored/moored_dynamics_section.h"
 #include "report/moored/moorings_section.h"
-#include "report/moored_report.h"
 #include "report/page/calculation_sheet.h"
 #include "report/page/figures.h"
 #include "report/page/front_of.h"
@@ -16,6 +15,7 @@
 #include "report/page/page.h"
 #include "report/page/quantity.h"
 #include "report/page/sections.h"
+#include "report/report_without_pipe.h"
 #include "report/static/checks_section.h"
 #include "report/static/criteria_section.h"
 #include "report/static/friction_section.h"
@@ -56,6 +56,7 @@ std::string moorings_part(const StaticResults& results, int& figure) {
 }  // namespace
 
 std::string report_html(const StaticResults& results, const std::string& model_text, const StaticExtras& extras) {
+  if (!results.has_pipe()) return report_without_pipe(results, model_text);
   require_stations(!results.stations.empty());
   const std::optional<Description> description = description_of(model_text);
   int figure = 0;
@@ -82,7 +83,7 @@ std::string report_html(const StaticResults& results, const std::string& model_t
 }
 
 std::string report_html(const StaticResults& statics, const DynamicResults& results, const std::string& model_text) {
-  if (!statics.has_pipe()) return moored_report_in_time(statics, results, model_text);
+  if (!statics.has_pipe()) return report_without_pipe(statics, results, model_text);
   require_stations(!statics.stations.empty() && !results.station_s.empty());
   const std::optional<Description> description = description_of(model_text);
   int figure = 0;

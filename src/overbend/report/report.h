@@ -9,8 +9,6 @@
 #include <string>
 
 #include "results/dynamic_results.h"
-#include "results/line_results.h"
-#include "results/mooring_results.h"
 #include "results/seek_results.h"
 #include "results/sensitivity_results.h"
 
@@ -26,20 +24,14 @@ struct StaticExtras {
 /// `extras` get sections of their own.
 std::string report_html(const StaticResults& results, const std::string& model_text, const StaticExtras& extras = {});
 
-/// The page of a dynamic run, also of a hull without a pipe: its own results first, then the static state that it
+/// The page of a dynamic run: its own results first, then the static state that it
 /// starts from.
 std::string report_html(const StaticResults& statics, const DynamicResults& results, const std::string& model_text);
-
-/// Of a hull on its mooring lines, and of lines by themselves at rest or in a run: models without a pipe.
-std::string report_html(const MooringResults& results, const std::string& model_text);
-std::string report_html(const LinesResults& results, const std::string& model_text);
 
 /// Writes the page to `file`, beside it first and then renamed. Throws std::runtime_error where that fails.
 void write_report(const StaticResults& results, const std::string& model_text, const std::filesystem::path& file,
                   const StaticExtras& extras = {});
 void write_report(const StaticResults& statics, const DynamicResults& results, const std::string& model_text,
                   const std::filesystem::path& file);
-void write_report(const MooringResults& results, const std::string& model_text, const std::filesystem::path& file);
-void write_report(const LinesResults& results, const std::string& model_text, const std::filesystem::path& file);
 
 }  // namespace overbend

@@ -24,12 +24,8 @@ Finding with_stages(const SharedFinding& shared, std::size_t stages) {
 
 }  // namespace
 
-const Findings& static_findings(const StaticResults& results) {
-  return results.has_pipe() ? results.findings : results.moorings->findings;
-}
-
 Findings all_findings(const StaticResults& statics, const DynamicResults& results) {
-  return merge(results.findings, static_findings(statics));
+  return merge(results.findings, statics.findings);
 }
 
 Findings operation_findings(const OperationResults& results) {

@@ -8,9 +8,6 @@
 
 namespace overbend {
 
-/// Of a static state: of the lay, or of the hull on its moorings where there is no pipe.
-const Findings& static_findings(const StaticResults& results);
-
 /// Of a run in time: its own, then those of the static state that it began from.
 Findings all_findings(const StaticResults& statics, const DynamicResults& results);
 

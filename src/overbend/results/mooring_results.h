@@ -1,15 +1,12 @@
-/// Results of a hull and its mooring lines at rest: plain data, SI units.
+/// Results of a hull and its mooring lines at rest: plain data, SI units. What is assumed and found of them stands with
+/// that of the model in StaticResults.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "base/assumption.h"
-#include "base/finding.h"
 #include "base/vec.h"
-#include "results/check_results.h"
-#include "results/hull_results.h"
 
 namespace overbend {
 
@@ -106,7 +103,7 @@ struct AnchorDue {
   double length = 0.0;                              ///< Of the line, unstressed, at its new place [m].
 };
 
-/// What a static analysis of a hull and its lines, without a pipe, hands on.
+/// What a static analysis of a hull and its lines hands on.
 struct MooringResults {
   MooringResults();  // These six are compiled once: a copy of all members is long, and many sources make one.
   MooringResults(const MooringResults&);
@@ -115,12 +112,7 @@ struct MooringResults {
   MooringResults& operator=(MooringResults&&) noexcept;
   ~MooringResults();
 
-  std::string title, version;
-  Assumptions assumptions;
-  Findings findings;
-  CheckTable checks;  ///< Of lines and anchors; of a lay in StaticResults.
   MooredState rest;
-  std::optional<HullResults> hull;  ///< Of a hull with hydrodynamic coefficients; of a lay in StaticResults.
   std::string operation;            ///< moored, pull_ahead, anchor_move, anchor_plan or empty.
   std::vector<MooredState> stages;  ///< Of the operation, in order.
   double distance = 0.0;            ///< Of a pull-ahead [m].

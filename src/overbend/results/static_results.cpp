@@ -9,12 +9,4 @@ StaticResults& StaticResults::operator=(const StaticResults&) = default;
 StaticResults& StaticResults::operator=(StaticResults&&) noexcept = default;
 StaticResults::~StaticResults() = default;
 
-StaticResults of_hull_alone(MooringResults rest) {
-  StaticResults results;
-  results.title = rest.title;
-  results.version = rest.version;
-  results.moorings = std::move(rest);
-  return results;
-}
-
 }  // namespace overbend

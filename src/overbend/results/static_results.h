@@ -273,11 +273,8 @@ struct StaticResults {
   std::vector<LineResult> lines;           ///< That stand by themselves.
   std::optional<MooringResults> moorings;  ///< Of a vessel on mooring lines: where it lies, and the lines.
 
-  /// Else they are those of a hull alone: title, and `moorings` with all the rest.
-  bool has_pipe() const { return !moorings || !stations.empty(); }
+  /// Without one they are those of a hull on its moorings, or of lines: all of a pipe is empty.
+  bool has_pipe() const { return !stations.empty() || (!moorings && lines.empty()); }
 };
-
-/// The results of a hull alone in the place of those of a lay.
-StaticResults of_hull_alone(MooringResults rest);
 
 }  // namespace overbend

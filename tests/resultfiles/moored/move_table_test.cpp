@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/json.h"
-#include "resultfiles/moored/mooring_writer.h"
+#include "resultfiles/summary/summary_json.h"
 
 namespace overbend {
 namespace {
@@ -29,6 +29,12 @@ MooringResults pulled_ahead() {
   return results;
 }
 
+Json summary_of(const MooringResults& moorings) {
+  StaticResults results;
+  results.moorings = moorings;
+  return static_summary_json(results);
+}
+
 TEST(move_table, has_a_row_per_place_with_hull_lines_and_pipe) {
   const std::string table = move_table(pulled_ahead());
   EXPECT_EQ(table.find("advance [m],surge [m],sway [m],heave [m],roll [deg],pitch [deg],yaw [deg],"), 0U) << table;
@@ -42,7 +48,7 @@ TEST(move_table, has_a_row_per_place_with_hull_lines_and_pipe) {
 }
 
 TEST(move_table, is_in_the_summary_too) {
-  const Json operation = read_json(mooring_summary(pulled_ahead()))["operation"]["pull_ahead"];
+  const Json operation = summary_of(pulled_ahead())["operation"]["pull_ahead"];
   ASSERT_EQ(operation["steps"].size(), 2U);
   EXPECT_EQ(operation["steps"][1]["advance"], 0.5);
   EXPECT_EQ(operation["steps"][1]["winch_lengths"]["bow, port"], 1006.5);
@@ -55,7 +61,7 @@ TEST(move_table, of_anchors_says_what_is_due_when) {
   MooringResults results;
   results.operation = "anchor_plan";
   results.anchors = {{29, "bow, port", "least length", Vec3(963.0, 438.0, -89.0), Vec3(1323.0, 438.0, -89.0), 1061.0}};
-  const Json operation = read_json(mooring_summary(results))["operation"];
+  const Json operation = summary_of(results)["operation"];
   EXPECT_EQ(operation["anchors"][0]["joint"], 29);
   EXPECT_EQ(operation["anchors"][0]["line"], "bow, port");
   EXPECT_EQ(operation["anchors"][0]["reason"], "least length");

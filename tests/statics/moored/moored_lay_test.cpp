@@ -25,8 +25,8 @@ Description held() {
 
 TEST(moored_lay, a_barge_held_as_drawn_by_its_lengths_bends_the_pipe_as_a_fixed_one_does) {
   Model moored_model = build_model(moored()), held_model = build_model(held());
-  const LayOutcome moored_lay = solve_lay(moored_model);
-  const LayOutcome held_lay = solve_lay(held_model);
+  const ModelEquilibrium moored_lay = solve_lay(moored_model);
+  const ModelEquilibrium held_lay = solve_lay(held_model);
   ASSERT_FALSE(moored_lay.failure) << moored_lay.failure->why;
   const StaticResults a = recover_statics(moored_model, *moored_lay.solution);
   const StaticResults b = recover_statics(held_model, *held_lay.solution);
@@ -37,7 +37,7 @@ TEST(moored_lay, a_barge_held_as_drawn_by_its_lengths_bends_the_pipe_as_a_fixed_
 
 TEST(moored_lay, the_lines_hold_what_the_pipe_pulls) {
   Model model = build_model(moored());
-  const LayOutcome lay = solve_lay(model);
+  const ModelEquilibrium lay = solve_lay(model);
   ASSERT_FALSE(lay.failure) << lay.failure->why;
   StaticSystem system(model, model.mean_pose, lay.solution->mesh);
   const Vec6 load = load_on_vessel(system, lay.solution->state);
@@ -49,7 +49,7 @@ TEST(moored_lay, the_lines_hold_what_the_pipe_pulls) {
 /// Everything that acts on the pipe but vessel and far end is its weight, the water and the bed.
 TEST(moored_lay, the_load_on_the_vessel_balances_the_pipe) {
   Model model = build_model(held());
-  const LayOutcome lay = solve_lay(model);
+  const ModelEquilibrium lay = solve_lay(model);
   const StaticResults r = recover_statics(model, *lay.solution);
   StaticSystem system(model, model.mean_pose, lay.solution->mesh);
   const Vec3 load = load_on_vessel(system, lay.solution->state).head<3>();
@@ -62,7 +62,7 @@ TEST(moored_lay, a_barge_with_given_lengths_gives_way_to_the_pipe) {
   d.environment.current.clear();
   d.moorings->find = FindMooring::pose;
   Model model = build_model(d);
-  const LayOutcome lay = solve_lay(model);
+  const ModelEquilibrium lay = solve_lay(model);
   ASSERT_FALSE(lay.failure) << lay.failure->why;
   const VesselResult& vessel = lay.moorings->rest.vessel;
   // Some 205 kN on 185 kN/m.
@@ -80,9 +80,9 @@ TEST(moored_lay, starts_from_the_solution_of_a_neighbour) {
   d.environment.current.clear();
   d.moorings->find = FindMooring::pose;
   Model model = build_model(d);
-  const LayOutcome first = solve_lay(model);
+  const ModelEquilibrium first = solve_lay(model);
   const double surge = first.moorings->rest.vessel.surge;
-  const LayOutcome again = solve_lay(model, &*first.solution);
+  const ModelEquilibrium again = solve_lay(model, &*first.solution);
   EXPECT_NEAR(again.moorings->rest.vessel.surge, surge, 1e-6);
 }
 
@@ -90,7 +90,7 @@ TEST(moored_lay, whose_pipe_bears_on_side_rollers_is_said_to_have_other_equilibr
   Description d = moored();
   const auto told = [&] {
     Model model = build_model(d);
-    const LayOutcome lay = solve_lay(model);
+    const ModelEquilibrium lay = solve_lay(model);
     return find_side_roller_contact(d, recover_statics(model, *lay.solution));
   };
   EXPECT_FALSE(told());  // lengths hold the barge in its place
@@ -109,7 +109,7 @@ TEST(moored_lay, a_pull_ahead_has_its_stages_with_the_pipe_on_board) {
   d.operation.type = OperationType::pull_ahead;
   d.operation.distance = 12.0;
   Model model = build_model(d);
-  const LayOutcome lay = solve_lay(model);
+  const ModelEquilibrium lay = solve_lay(model);
   ASSERT_FALSE(lay.failure) << lay.failure->why;
   ASSERT_EQ(lay.moorings->stages.size(), 2u);
   EXPECT_NEAR(lay.moorings->stages.back().vessel.surge - lay.moorings->stages.front().vessel.surge, 12.0, 1e-6);

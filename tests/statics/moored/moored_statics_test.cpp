@@ -149,9 +149,10 @@ TEST(moored_statics, warns_of_what_a_crew_would_mend) {
   d.moorings->winches = {weak};
   d.moorings->lines[6].winch = "weak";
   d.moorings->objects = {{"pipeline", {{-400.0, 300.0, -88.0}, {400.0, 300.0, -88.0}}}};
-  const MooringResults results = rest_of_hull(d);
+  const ModelEquilibrium found = testing::SolvedHull(d).rest;
+  const MooringResults& results = found.moorings.value();
   const auto warned = [&](const std::string& line, const std::string& of) {
-    return std::ranges::any_of(messages(results.findings), [&](const std::string& warning) {
+    return std::ranges::any_of(messages(found.findings), [&](const std::string& warning) {
       return warning.find("\"" + line + "\"") != std::string::npos && warning.find(of) != std::string::npos;
     });
   };
@@ -172,7 +173,7 @@ TEST(moored_statics, too_few_lines_are_no_warning_on_a_hull_that_is_held) {
   d.operation = {};
   d.vessel.hydrostatics.reset();
   d.moorings->lines.resize(2);
-  for (const std::string& warning : messages(rest_of_hull(d).findings)) {
+  for (const std::string& warning : messages(testing::SolvedHull(d).rest.findings)) {
     EXPECT_EQ(warning.find("fewer than three"), std::string::npos) << warning;
   }
 }
@@ -184,9 +185,8 @@ TEST(moored_statics, warns_of_lines_that_a_bed_as_it_is_would_bear_elsewhere) {
     // A ridge across the lay route, 600 m astern of the shoe: the stern lines lie over it.
     d.environment.seabed.profile = {
         {-2000.0, 89.0}, {550.0, 89.0}, {600.0, 89.0 - height}, {650.0, 89.0}, {2000.0, 89.0}};
-    const MooringResults results = rest_of_hull(d);
     std::vector<std::string> told;
-    for (const std::string& warning : messages(results.findings)) {
+    for (const std::string& warning : messages(testing::SolvedHull(d).rest.findings)) {
       if (warning.find("in the seabed") != std::string::npos) told.push_back(warning);
     }
     return told;

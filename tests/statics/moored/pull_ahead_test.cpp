@@ -24,7 +24,7 @@ Description pulled(double distance) {
 
 TEST(pull_ahead, has_the_pipe_at_each_of_its_places) {
   Model model = build_model(pulled(12.0));
-  const LayOutcome lay = solve_lay(model);
+  const ModelEquilibrium lay = solve_lay(model);
   ASSERT_FALSE(lay.failure) << lay.failure->why;
   const std::vector<MoveStep>& steps = lay.moorings->steps;
   ASSERT_EQ(steps.size(), 25U);
@@ -57,7 +57,7 @@ TEST(pull_ahead, of_a_turned_barge_goes_along_the_lay_route) {
   push.at = Vec3(50.0, 0.0, 0.0);
   push.force = Vec3(0.0, 60e3, 0.0);
   Model model = build_model(d);
-  const LayOutcome lay = solve_lay(model);
+  const ModelEquilibrium lay = solve_lay(model);
   ASSERT_FALSE(lay.failure) << lay.failure->why;
   const std::vector<MoveStep>& steps = lay.moorings->steps;
   ASSERT_GT(std::abs(steps.front().vessel.yaw), 0.2 * kDegree);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/run/lines_run.h"
+#include "statics/moored/moored_lay.h"
 #include "support/line_cases.h"
 
 namespace overbend {
@@ -138,7 +138,7 @@ TEST(lines_statics, a_buoy_that_turns_a_slack_line_leaves_it_the_tension_of_eith
     buoy.net_force = 30e3;
     buoy.at = 60.0;
     d.lines[0].points = {buoy};
-    const LineResult line = solve_lines(build_model(d)).results.value().lines[0];
+    const LineResult line = solve_lines(build_model(d)).lines.at(0);
     // Level share of the pull, and what pulls down behind the buoy: what the top bears, less what hangs there, and 30
     // kN.
     const double level = std::hypot(line.first.force.x(), line.first.force.y());
@@ -169,14 +169,14 @@ TEST(lines_statics, an_upright_line_has_its_weight_or_is_told_to_be_folded) {
   for (const double slack : {0.5, 1.0, 2.0, 3.0}) {
     Description d = testing::water_alone(1025.0, 200.0);
     d.lines = {testing::free_line(hose, 180.0 + slack, Vec3(0.0, 0.0, -5.0), Vec3(0.0, 0.0, -185.0))};
-    const LinesOutcome outcome = solve_lines(build_model(d));
-    ASSERT_TRUE(outcome.results) << slack;
+    const ModelEquilibrium found = solve_lines(build_model(d));
+    ASSERT_FALSE(found.failure) << slack;
     const double weight = (180.0 + slack) * hose.weight_submerged;
-    const bool right = std::abs(outcome.results->lines.front().first.tension - weight) < 0.1 * weight;
-    const bool told = std::ranges::any_of(messages(outcome.results->findings), [](const std::string& warning) {
+    const bool right = std::abs(found.lines.front().first.tension - weight) < 0.1 * weight;
+    const bool told = std::ranges::any_of(messages(found.findings), [](const std::string& warning) {
       return warning.find("an element is folded") != std::string::npos;
     });
-    EXPECT_TRUE(right || told) << slack << ": " << outcome.results->lines.front().first.tension;
+    EXPECT_TRUE(right || told) << slack << ": " << found.lines.front().first.tension;
   }
 }
 

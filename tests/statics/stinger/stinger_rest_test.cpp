@@ -28,7 +28,7 @@ Json expected(const std::string& name) {
 /// Of a lay that has a rest.
 StaticResults rest_of(const Description& description) {
   Model model = build_model(description);
-  const LayOutcome outcome = solve_lay(model);
+  const ModelEquilibrium outcome = solve_lay(model);
   if (outcome.failure) {
     ADD_FAILURE() << outcome.failure->what << ": " << outcome.failure->why;
     return {};
@@ -101,7 +101,7 @@ TEST(stinger_rest, follows_the_ballast_through_the_stages_of_the_reference) {
   for (std::size_t i = 0; i < stages.size(); ++i) {
     SCOPED_TRACE(stages[i].name);
     Model model = build_model(at_stage(d, stages[i]));
-    LayOutcome outcome = solve_lay(model, last ? &*last : nullptr);
+    ModelEquilibrium outcome = solve_lay(model, last ? &*last : nullptr);
     ASSERT_TRUE(outcome.solution) << outcome.failure->why;
     expect_stinger(recover_state(model, *outcome.solution), wanted[i]);
     last = std::move(outcome.solution);
@@ -111,7 +111,7 @@ TEST(stinger_rest, follows_the_ballast_through_the_stages_of_the_reference) {
 /// All that holds the stinger: its hinge takes what weight, buoyancy and rollers leave, and no moment.
 TEST(stinger_rest, leaves_no_moment_about_the_hinge) {
   Model model = build_model(read("HS16-float"));
-  const LayOutcome outcome = solve_lay(model);
+  const ModelEquilibrium outcome = solve_lay(model);
   ASSERT_TRUE(outcome.solution);
   StaticSystem system = system_with_past(model, outcome.solution->mesh, {});
   system.evaluate(outcome.solution->state, false);
@@ -121,13 +121,13 @@ TEST(stinger_rest, leaves_no_moment_about_the_hinge) {
 TEST(stinger_rest, does_not_hang_on_where_the_search_begins) {
   const Description d = read("HS16-tanks");
   Model from_drawn = build_model(d), from_there = build_model(d);
-  LayOutcome first = solve_lay(from_drawn);
+  ModelEquilibrium first = solve_lay(from_drawn);
   ASSERT_TRUE(first.solution);
   const double angle = first.solution->stinger.angles[0];
   StaticSolution start = std::move(*first.solution);
   start.stinger.angles[0] = angle + 0.03;
   start.stinger.stiffness.clear();
-  const LayOutcome second = solve_lay(from_there, &start);
+  const ModelEquilibrium second = solve_lay(from_there, &start);
   ASSERT_TRUE(second.solution);
   EXPECT_NEAR(second.solution->stinger.angles[0], angle, 1e-6);
 }
@@ -174,7 +174,7 @@ TEST(stinger_rest, of_two_sections_balances_both) {
   d.supports.sections.push_back(second);
   for (BoxDescription& box : d.supports.boxes) box.section = box.x > 20.5 ? 1 : 0;
   Model model = build_model(d);
-  const LayOutcome outcome = solve_lay(model);
+  const ModelEquilibrium outcome = solve_lay(model);
   ASSERT_TRUE(outcome.solution) << outcome.failure->why;
   StaticSystem system = system_with_past(model, outcome.solution->mesh, {});
   system.evaluate(outcome.solution->state, false);
@@ -214,7 +214,7 @@ TEST(stinger_rest, is_refused_where_nothing_balances) {
   d.supports.sections[0].body->buoyancy = 0.0;
   d.supports.sections[0].body->at = {18.0, 0.0};  // plumb below the hinge it hangs further down than is looked
   Model model = build_model(d);
-  const LayOutcome outcome = solve_lay(model);
+  const ModelEquilibrium outcome = solve_lay(model);
   ASSERT_TRUE(outcome.failure);
   EXPECT_NE(outcome.failure->what.find("stinger"), std::string::npos) << outcome.failure->what;
 }

@@ -197,7 +197,7 @@ TEST(seek, the_model_is_written_with_its_comments_and_the_answer) {
   EXPECT_EQ(text.find("tension: 560 kN"), std::string::npos);
   const Description again = read_model_text(text, "again.yaml").description.value();
   EXPECT_NEAR(again.tensioner.tension.value(), run.results.unknowns[0].answer, 1e-3);
-  EXPECT_NEAR(run.statics.lay->stations.back().inclination, 65.0 * 3.14159265358979 / 180.0, 1e-7);
+  EXPECT_NEAR(run.statics.results->stations.back().inclination, 65.0 * 3.14159265358979 / 180.0, 1e-7);
 }
 
 }  // namespace

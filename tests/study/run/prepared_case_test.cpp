@@ -29,16 +29,12 @@ TEST(prepared_case, is_another_input_with_controllers_and_with_each_machine_and_
   EXPECT_NE(driven, input_with({{"bow", &nothing, 0.1}}));
 }
 
-TEST(prepared_case, of_a_hull_without_a_pipe_has_its_lines_and_no_controllers) {
+TEST(prepared_case, of_a_hull_without_a_pipe_has_its_lines) {
   const Description barge = testing::coarse_example("moored-barge", 5.0, 2.0);
   const auto prepared = std::get<0>(prepare_case(barge));
   EXPECT_FALSE(prepared->statics.has_pipe());
   EXPECT_EQ(prepared->statics.title, barge.title);
   EXPECT_EQ(prepared->statics.moorings->rest.moorings.size(), 8U);
-  Nothing nothing;
-  const RunEnd refused = std::get<RunEnd>(prepare_case(barge, {{"port bow", &nothing, 0.1}}));
-  EXPECT_EQ(refused.ending, RunEnding::wrong_input);
-  EXPECT_NE(refused.why.find("need a pipe"), std::string::npos) << refused.why;
 }
 
 TEST(prepared_case, of_a_hull_that_floats_in_statics_alone_warns_that_it_will_not_in_time) {
@@ -47,7 +43,7 @@ TEST(prepared_case, of_a_hull_that_floats_in_statics_alone_warns_that_it_will_no
   barge.vessel.coupled.reset();
   barge.vessel.hydrostatics = HydrostaticsDescription{3.6e7, 2.1e9, 4.3e10};
   const auto prepared = std::get<0>(prepare_case(barge));
-  const std::vector<std::string> warnings = messages(prepared->statics.moorings->findings);
+  const std::vector<std::string> warnings = messages(prepared->statics.findings);
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
     return warning.find("vessel.hydrostatics serve statics alone") != std::string::npos;
   }));

@@ -307,7 +307,7 @@ TEST(lay_operation, pipe_that_yielded_over_the_stinger_is_still_bent_when_its_he
   const OperationResults found = solve_operation(d);
   ASSERT_TRUE(found.stages[0].lay.has_value()) << found.stages[0].failure->why;
   Model as_laid = build_model(d);
-  const LayOutcome lay = solve_lay(as_laid);
+  const ModelEquilibrium lay = solve_lay(as_laid);
   const double before = recover_statics(as_laid, *lay.solution).residual_curvature;
   EXPECT_GT(before, 1e-4);
   EXPECT_NEAR(found.stages[0].lay->residual_curvature, before, 0.05 * before);

@@ -137,6 +137,9 @@ export interface MooringInTime {
   events: { time: number; what: string }[];
 }
 
+/** A line by itself over time. */
+export interface LineInTime { name: string; first_tension: Spread; second_tension: Spread; least_tension: number; largest_tension: number; utilisation: number | null }
+
 /** What dynamic positioning gave; yaw is a moment. */
 export interface ThrustInTime { name: string; given: Spread; thrust_limit: number | null; time_at_limit: number }
 
@@ -149,7 +152,7 @@ export interface RunSummary {
   findings?: Finding[];
   verdict?: Verdict;
   checks?: { list: Check[] };
-  dynamic?: DynamicSummary & { verdict?: Verdict; findings?: Finding[]; vessel?: VesselInTime; thrust?: ThrustInTime[]; moorings?: MooringInTime[]; fatigue?: { spots: FatigueSpot[] } };
+  dynamic?: DynamicSummary & { verdict?: Verdict; findings?: Finding[]; vessel?: VesselInTime; thrust?: ThrustInTime[]; moorings?: MooringInTime[]; lines?: LineInTime[]; fatigue?: { spots: FatigueSpot[] } };
 }
 
 export interface NewOffer {

@@ -3,7 +3,7 @@
 export interface FramesAnswer {
   total: number; from: number; stations: number; time: number[]; pose: number[][];
   place: string; effective_tension: string; von_mises: string;
-  /** Mooring lines with the number of their points, from fairlead to anchor, and the places of all of them. */
+  /** Lines with the number of their points, and the places of all of them: mooring lines from fairlead to anchor, others from their first end. */
   lines?: FrameLine[]; line_place?: string;
 }
 

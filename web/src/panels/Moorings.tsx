@@ -6,7 +6,7 @@ import { display, numberIn, unitName } from '../logic/show';
 import { tidy, twin } from '../logic/units';
 import { failure } from '../state/live';
 import { picked } from '../state/look';
-import { calmState, chosenLine, linesOfRun, planShown, stage } from '../state/moorings';
+import { aloneInTime, calmState, chosenLine, linesOfRun, planShown, stage } from '../state/moorings';
 import { calmLay, ofRun } from '../state/shown';
 import { MooringsInTime } from './MooringsInTime';
 
@@ -129,9 +129,14 @@ export function LineValues({ name }: { name: string }) {
   );
 }
 
-/** Lines by themselves, at rest. */
+/** Lines by themselves, at rest and in the run that is looked at. */
 export function LineTable({ lines }: { lines: readonly LineAtRest[] }) {
   if (lines.length === 0) return null;
+  const inTime = aloneInTime.value;
+  const moved = (name: string): [string, number, number][] => {
+    const run = inTime?.find((l) => l.name === name);
+    return run ? [['first end', run.first_tension.min, run.first_tension.max], ['second end', run.second_tension.min, run.second_tension.max], ['anywhere', run.least_tension, run.largest_tension]] : [];
+  };
   const rows: [string, (l: LineAtRest) => string, string][] = [
     ['first end', (l) => numberIn(l.first.tension, 'N'), 'N'], ['second end', (l) => numberIn(l.second.tension, 'N'), 'N'],
     ['largest', (l) => numberIn(l.largest_tension, 'N'), 'N'], ['least', (l) => numberIn(l.least_tension, 'N'), 'N'],
@@ -144,6 +149,7 @@ export function LineTable({ lines }: { lines: readonly LineAtRest[] }) {
           <h3><button type="button" class="linkname" aria-pressed={chosenLine.value === l.name} onClick={() => choose(l.name)}>{l.name}</button></h3>
           <dl>
             {rows.map(([name, text, unit]) => <div key={name} class="kv" title={unit === 'N' ? 'Effective tension at rest' : ''}><dt>{unit === 'N' ? `tension, ${name}` : name}</dt><dd>{text(l)} <small>{unitName(unit)}</small></dd></div>)}
+            {moved(l.name).map(([name, least, largest]) => <div key={`${name} in time`} class="kv" title="Effective tension over the run"><dt>in time, {name}</dt><dd>{numberIn(least, 'N')} to {numberIn(largest, 'N')} <small>{unitName('N')}</small></dd></div>)}
             {l.utilisation === null ? null : <div class="kv"><dt>of breaking load</dt><dd>{tidy(100 * l.utilisation, 3)} <small>%</small></dd></div>}
           </dl>
         </div>

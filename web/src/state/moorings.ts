@@ -22,6 +22,9 @@ export const linesOfRun = computed<MooringLine[] | null>(() => {
   return selectedId.value && lines && run?.length && stage.value < 0 ? largestOfRun(lines, run) : null;
 });
 
+/** The lines by themselves in the run that is looked at; null without a run in time. */
+export const aloneInTime = computed(() => (selectedId.value ? runSummary.value?.dynamic?.lines ?? null : null));
+
 /** Another model, another run: its rest is shown. */
 export function startMoorings(): void {
   effect(() => { void opened.value; void selectedId.value; untracked(() => { stage.value = -1; chosenLine.value = null; }); });

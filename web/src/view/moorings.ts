@@ -21,6 +21,14 @@ export const ofMoorings = (state: MooredState): DrawnLine[] =>
 export const ofLines = (lines: readonly LineAtRest[]): DrawnLine[] =>
   lines.map((l) => ({ name: l.name, points: flat(l.shape), colour: '#0b66c2', values: l.tension }));
 
+/** The same lines where a run has recorded them; tensions are those of rest and are left out. */
+export function recordedLines(lines: readonly DrawnLine[], recorded: ReadonlyMap<string, Float32Array> | null): DrawnLine[] {
+  return lines.flatMap((l) => {
+    const points = recorded?.get(l.name);
+    return points ? [{ ...l, points, values: null }] : [];
+  });
+}
+
 export class MooringsView {
   readonly group = new THREE.Group();
   lines: DrawnLine[] = [];

@@ -6,7 +6,7 @@ import { TensionerArrow, type Machine } from './arrows';
 import { hull, slotDepth } from './hull';
 import { labelsOf, type Label } from './labels';
 import { dispose } from './members';
-import { MooringsView, ofLines, ofMoorings } from './moorings';
+import { MooringsView, ofLines, recordedLines, ofMoorings } from './moorings';
 import { PipeView } from './pipe';
 import { rig } from './rig';
 import { RollersView } from './rollers';
@@ -25,7 +25,7 @@ export interface Moment {
   /** Reactions of the boxes at the moment, as far as they are known; the largest of the run. */
   reactions: Map<string, number>; largest: number;
   tensioner: Machine | null;
-  /** Points of the mooring lines by name, where the run has recorded them. */
+  /** Points of the lines by name, where the run has recorded them. */
   lines?: Map<string, Float32Array> | null;
 }
 
@@ -154,9 +154,9 @@ export class Stage {
   private drawLines(): void {
     const rest = this.solution?.moorings?.rest;
     const state = this.stage?.state ?? rest;
-    const recorded = this.moment?.lines;
-    if (this.moment && rest) this.moorings.set(recorded ? ofMoorings(rest).flatMap((l) => { const points = recorded.get(l.name); return points ? [{ ...l, points }] : []; }) : [], this.chosen);
-    else this.moorings.set([...(state ? ofMoorings(state) : []), ...ofLines(this.solution?.lines ?? [])], this.chosen);
+    const alone = ofLines(this.solution?.lines ?? []);
+    if (this.moment) this.moorings.set(recordedLines([...(rest ? ofMoorings(rest) : []), ...alone], this.moment.lines ?? null), this.chosen);
+    else this.moorings.set([...(state ? ofMoorings(state) : []), ...alone], this.chosen);
     this.moorings.mark(this.moment ? null : state ?? null);
     // results of the pipe are those of the rest
     this.pipe.mesh.visible = (this.solution?.pipe.s.length ?? 0) > 1 && (this.moment !== null || this.stage === null);

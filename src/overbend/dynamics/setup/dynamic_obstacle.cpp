@@ -6,7 +6,6 @@
 #include "dynamics/integrator/dynamic_clock.h"
 #include "dynamics/setup/start_leap.h"
 #include "model/vessel/station.h"
-#include "statics/moored/moored_statics.h"
 #include "statics/solver/static_obstacle.h"
 
 namespace overbend {
@@ -75,6 +74,17 @@ std::optional<StaticFailure> leap_obstacle(const Model& model) {
                              shown_digits(leap, "m", 3)));
 }
 
+/// The same of ends of lines that stand by themselves.
+std::optional<StaticFailure> line_leap_obstacle(const Model& model) {
+  const double leap = line_leap_at_start(model, dynamic_options(model));
+  if (leap <= kLargestLeap) return std::nullopt;
+  return refused(
+      "analysis.dynamic.build_up", "the ends of the lines cannot be at once where their motion has them",
+      fmt::format(
+          "without build-up an end leaps by {} from where statics have it, and jerks its line; give some periods",
+          shown_digits(leap, "m", 3)));
+}
+
 /// A record that ends before the run does. The vessel would stop dead there, and strike what hangs on it.
 std::optional<StaticFailure> record_obstacle(const VesselDescription& vessel, const DynamicOptions& run) {
   const double first = vessel.history->time.front(), last = vessel.history->time.back();
@@ -138,34 +148,25 @@ StaticFailure without_dynamics() {
 
 std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
   const Description& d = model.description;
-  if (!is_moored_hull(d)) {
+  if (d.has_pipe) {
     if (std::optional<StaticFailure> obstacle = static_obstacle(d)) return obstacle;
   }
   if (!d.dynamics) return without_dynamics();
-  if (std::optional<StaticFailure> obstacle = motion_obstacle(model)) {
+  const bool lines_alone = !d.has_pipe && !d.lines.empty();
+  if (std::optional<StaticFailure> obstacle =
+          lines_alone ? file_obstacle(d.vessel, dynamic_options(model)) : motion_obstacle(model)) {
     return obstacle;
   }
   if (std::optional<StaticFailure> obstacle = sea_obstacle(d.environment.waves)) return obstacle;
-  if (std::optional<StaticFailure> obstacle = leap_obstacle(model)) return obstacle;
+  if (std::optional<StaticFailure> obstacle = lines_alone ? line_leap_obstacle(model) : leap_obstacle(model)) {
+    return obstacle;
+  }
   if (d.tensioner.range_low && d.tensioner.tension &&
       (*d.tensioner.tension < *d.tensioner.range_low || *d.tensioner.tension > *d.tensioner.range_high)) {
     return refused("tensioner.range", "the range does not contain tensioner.tension",
                    "the tensioner would move from the start");
   }
   return std::nullopt;
-}
-
-std::optional<StaticFailure> lines_obstacle(const Model& model, const DynamicOptions& options) {
-  const Description& d = model.description;
-  if (std::optional<StaticFailure> obstacle = file_obstacle(d.vessel, options)) return obstacle;
-  if (std::optional<StaticFailure> obstacle = sea_obstacle(d.environment.waves)) return obstacle;
-  const double leap = line_leap_at_start(model, options);
-  if (leap <= kLargestLeap) return std::nullopt;
-  return refused(
-      "analysis.dynamic.build_up", "the ends of the lines cannot be at once where their motion has them",
-      fmt::format(
-          "without build-up an end leaps by {} from where statics have it, and jerks its line; give some periods",
-          shown_digits(leap, "m", 3)));
 }
 
 }  // namespace overbend

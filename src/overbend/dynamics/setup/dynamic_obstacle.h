@@ -14,7 +14,4 @@ StaticFailure without_dynamics();
 /// Why a dynamic analysis of a model is not possible although its statics are; nothing when it is.
 std::optional<StaticFailure> dynamic_obstacle(const Model& model);
 
-/// The same of lines by themselves.
-std::optional<StaticFailure> lines_obstacle(const Model& model, const DynamicOptions& options);
-
 }  // namespace overbend

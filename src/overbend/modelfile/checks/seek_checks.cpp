@@ -121,12 +121,6 @@ std::string nearest_result(const std::string& name) {
 bool check_result(Checker& check, const FieldValue* result) {
   if (result == nullptr) return false;
   if (result_row(result->text)) return true;
-  const FieldValue& root = check.root();
-  if (is_given(root, "lines") && !is_given(root, "pipe") && !is_given(root, "moorings")) {
-    check.error(*result, result->shown, "a lay or a vessel on mooring lines",
-                "lines by themselves can be solved and run in time, not sought");
-    return false;
-  }
   check.error(*result, result->shown, "the path of a number in summary.json of a static analysis",
               nearest_result(result->text));
   return false;

@@ -8,9 +8,7 @@ namespace overbend {
 
 /// Envelopes as columns from the tensioner to the anchor (SI), histories and spectra in the units of
 /// report/page/quantity.h, contacts and impacts. Only what the figures show: of all supports the hardest pressed.
+/// Without a pipe histories, spectra and where the vessel was.
 Json dynamic_figure_data(const StaticResults& statics, const DynamicResults& results);
-
-/// Of a hull on its mooring lines without a pipe: histories, spectra, where the vessel was.
-Json moored_figure_data(const MooringResults& rest, const DynamicResults& results);
 
 }  // namespace overbend

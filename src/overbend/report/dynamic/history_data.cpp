@@ -112,6 +112,12 @@ class Histories {
 
   bool add(const std::string& group, const std::string& name) { return add(group, find(results_, name)); }
 
+  /// Of calm water, or a vessel that is held, there is nothing to draw.
+  void add_moving(const std::string& group, const std::string& name) {
+    const HistorySummary* history = find(results_, name);
+    if (history != nullptr && history->over_time.min < history->over_time.max) add(group, history);
+  }
+
   /// The peak between rows is more informative than the value at the row.
   void add_peak(const std::string& group, const std::string& name) {
     if (!add(group, name + "_peak")) {
@@ -178,9 +184,9 @@ Json history_trace(const HistorySummary& history, const Quantity& q) {
 
 Json history_data(const StaticResults& statics, const DynamicResults& results) {
   Histories histories(statics, results);
-  histories.add("wave", "elevation");
+  histories.add_moving("wave", "elevation");
   for (const char* freedom : {"surge", "sway", "heave", "roll", "pitch", "yaw"}) {
-    histories.add("motions", freedom);
+    histories.add_moving("motions", freedom);
   }
   histories.add_between("tension", "top_tension");
   histories.add("tension", "bottom_tension");
@@ -206,6 +212,10 @@ Json history_data(const StaticResults& statics, const DynamicResults& results) {
     histories.add("stinger_hinge", of + "hinge_vertical");
     histories.add("stinger_angle", of + "draught");
     histories.add("stinger_hinge", of + "stop_moment");
+  }
+  for (const LineResult& line : statics.lines) {
+    histories.add("ends", "line/" + line.name + "/first_tension");
+    histories.add("ends", "line/" + line.name + "/second_tension");
   }
   Json all = histories.take();
   for (Json& history : mooring_history_data(results)) all.push_back(std::move(history));

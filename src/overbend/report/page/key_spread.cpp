@@ -29,6 +29,10 @@ std::optional<Spread> of_region(const DynamicRegion& region, const std::string& 
 }  // namespace
 
 std::optional<Spread> key_spread(const DynamicResults& results, const std::string& name) {
+  for (const LineDynamics& line : results.lines) {
+    if (name == "line/" + line.name + "/first_tension") return line.first_tension;
+    if (name == "line/" + line.name + "/second_tension") return line.second_tension;
+  }
   SpreadNamed of_line{quantity_of(name), {}};
   visit_dynamic_keys(results, of_line, true);
   if (of_line.found) return of_line.found;

@@ -35,6 +35,8 @@ std::string words(const std::string& name) {
   std::replace(text.begin(), text.end(), '_', ' ');
   if (text == "elevation") text = "wave elevation";
   if (text == "lay back") text = "lay-back";
+  if (text == "first tension") text = "tension at the first end";
+  if (text == "second tension") text = "tension at the second end";
   if (text.rfind("von mises", 0) != 0 && !text.empty()) {
     text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   }

@@ -37,10 +37,20 @@ std::optional<double> of_support(const DynamicResults& results, const std::strin
   return std::nullopt;
 }
 
+std::optional<double> of_line_end(const StaticResults& statics, const std::string& name) {
+  for (const LineResult& line : statics.lines) {
+    if (name == "line/" + line.name + "/first_tension") return line.first.tension;
+    if (name == "line/" + line.name + "/second_tension") return line.second.tension;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<double> static_value(const StaticResults& statics, const DynamicResults& results,
                                    const std::string& name) {
+  if (const std::optional<double> value = of_line_end(statics, name)) return value;
+  if (!statics.has_pipe()) return std::nullopt;
   NumberNamed of_line{quantity_of(name), {}};
   visit_lay(statics, of_line);
   if (of_line.found) return of_line.found;

@@ -7,11 +7,11 @@
 
 #include "base/json.h"
 #include "report/dynamic/dynamic_data.h"
-#include "report/moored/line_data.h"
 #include "report/page/places.h"
 #include "report/page/report_style.h"
 #include "report/page/thinning.h"
 #include "report/static/checks_section.h"
+#include "report/static/line_data.h"
 #include "report/static/mooring_data.h"
 #include "report/studies/comparison_data.h"
 #include "report/studies/seek_section.h"
@@ -141,27 +141,22 @@ std::string text(const Json& data) {
 
 std::string report_data(const StaticResults& results, const DynamicResults* dynamic,
                         const std::optional<Description>& description, const SeekResults* seek) {
-  Json data = static_figure_data(results);
+  Json data = results.has_pipe() ? static_figure_data(results) : Json::object();
   if (seek != nullptr) data["seek"] = seek_figure_data(*seek);
   if (results.moorings) {
-    data["moorings"] = mooring_figure_data(*results.moorings, mooring_scene(description, results));
+    const MooringScene scene = results.has_pipe() ? mooring_scene(description, results) : mooring_scene(description);
+    data["moorings"] = mooring_figure_data(*results.moorings, scene);
   }
-  data["checks"] = checks_figure_data(results, dynamic != nullptr ? dynamic->checks : results.checks);
-  if (dynamic != nullptr) {
-    data["dynamic"] = dynamic_figure_data(results, *dynamic);
+  if (!results.lines.empty()) {
+    data["lines"] = line_figure_data(results.lines, dynamic != nullptr ? dynamic->lines : std::vector<LineDynamics>{});
+    data["moved"] = dynamic != nullptr;
+    data["water_depth"] = json_number(description ? description->environment.water_depth : 0.0);
   }
+  if (results.has_pipe()) {
+    data["checks"] = checks_figure_data(results, dynamic != nullptr ? dynamic->checks : results.checks);
+  }
+  if (dynamic != nullptr) data["dynamic"] = dynamic_figure_data(results, *dynamic);
   return text(data);
-}
-
-std::string report_data(const MooringResults& results, const DynamicResults* dynamic,
-                        const std::optional<Description>& description) {
-  Json data = {{"moorings", mooring_figure_data(results, mooring_scene(description))}};
-  if (dynamic != nullptr) data["dynamic"] = moored_figure_data(results, *dynamic);
-  return text(data);
-}
-
-std::string report_data(const LinesResults& results, const std::optional<Description>& description) {
-  return text(line_figure_data(results, description ? description->environment.water_depth : 0.0));
 }
 
 std::string report_data(const StaticResults& results, const Comparison& comparison) {

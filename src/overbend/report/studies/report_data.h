@@ -6,7 +6,6 @@
 
 #include "model/description/description.h"
 #include "results/comparison_results.h"
-#include "results/line_results.h"
 #include "results/seek_results.h"
 
 namespace overbend {
@@ -18,11 +17,6 @@ namespace overbend {
 std::string report_data(const StaticResults& results, const DynamicResults* dynamic = nullptr,
                         const std::optional<Description>& description = std::nullopt,
                         const SeekResults* seek = nullptr);
-
-/// Of models without a pipe.
-std::string report_data(const MooringResults& results, const DynamicResults* dynamic,
-                        const std::optional<Description>& description);
-std::string report_data(const LinesResults& results, const std::optional<Description>& description);
 
 /// The static data with those of a comparison under "comparison".
 std::string report_data(const StaticResults& results, const Comparison& comparison);

@@ -1,3 +1,4 @@
+#include "resultfiles/lines/lines_files.h"
 #include "resultfiles/static/finite_check.h"
 #include "resultfiles/tables/finite_visitor.h"
 #include "results/fields/check_fields.h"
@@ -106,6 +107,7 @@ void require_finite(const DynamicResults& results) {
   check_rows("dynamic.thrust", results.thrust, [](const auto& row, auto& v) { visit_thrust_dynamics(row, v); });
   check_rows("dynamic.moorings", results.moorings, [](const auto& row, auto& v) { visit_mooring_dynamics(row, v); });
   check_rows("dynamic.stinger", results.stinger, [](const auto& row, auto& v) { visit_stinger_dynamics(row, v); });
+  require_finite(results.lines);
   check_fatigue(results);
   check_histories(results);
   const FiniteColumns design{"dynamic.design"};

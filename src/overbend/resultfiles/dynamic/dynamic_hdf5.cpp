@@ -3,8 +3,8 @@
 #include "resultfiles/dynamic/fatigue_files.h"
 #include "resultfiles/hdf5/check_hdf5.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/moored_dynamics_hdf5.h"
-#include "resultfiles/moored/mooring_hdf5.h"
 #include "results/fields/dynamic_values.h"
 #include "results/fields/static_values.h"
 #include "results/fields/stinger_dynamics_fields.h"
@@ -152,17 +152,12 @@ void write_pipe_in_time(Hdf5Writer& file, const StaticResults& statics, const Dy
   if (!dynamics.design.load.empty()) write_design(file, dynamics.design);
 }
 
-void write_groups_at_rest(Hdf5Writer& file, const StaticResults& statics, const Description& description) {
-  if (statics.has_pipe()) return write_static_groups(file, statics, description);
-  write_mooring_groups(file, *statics.moorings, description);
-}
-
 }  // namespace
 
 void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dynamics, const RunStore& store,
                         const Description& description, const std::filesystem::path& path) {
   Hdf5Writer file(path);
-  write_groups_at_rest(file, statics, description);
+  write_static_groups(file, statics, description);
   const bool tip = statics.stinger_tip_clearance.has_value();
   const auto keys = [&](const auto& part, auto& visit) {
     statics.has_pipe() ? visit_dynamic_keys(part, visit, tip) : visit_dynamic_settings(part, visit);
@@ -178,9 +173,11 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
              extremes);
   write_checks(file, "/dynamic/checks", dynamics.checks);
   write_moored_dynamics(file, dynamics);
+  write_lines_in_time(file, dynamics.lines);
   write_summaries(file, dynamics.histories);
   write_spectra(file, dynamics.spectra);
   write_long_data(file, store);
+  link_line_histories(file, dynamics.lines);
   file.close();
 }
 

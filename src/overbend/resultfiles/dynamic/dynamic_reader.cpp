@@ -4,6 +4,7 @@
 #include "resultfiles/dynamic/fatigue_files.h"
 #include "resultfiles/hdf5/check_hdf5.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
+#include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/moored_dynamics_hdf5.h"
 #include "results/fields/dynamic_values.h"
 #include "results/fields/stinger_dynamics_fields.h"
@@ -124,6 +125,7 @@ DynamicResults read_dynamics(const Hdf5Reader& file, bool pipe) {
   read_rows(file, "/dynamic/extremes", results.extremes, [](auto& row, auto& t) { visit_estimate(row, t); });
   results.checks = read_checks(file, "/dynamic/checks");
   read_moored_dynamics(file, results);
+  results.lines = read_lines_in_time(file);
   read_summaries(file, results.histories);
   read_spectra(file, results.spectra);
   return results;
@@ -136,7 +138,7 @@ bool has_dynamic(const std::filesystem::path& h5) {
 }
 
 StoredDynamics read_dynamic_results(const std::filesystem::path& h5) {
-  StoredStatics statics = read_rest(h5);
+  StoredStatics statics = read_static_results(h5);
   const bool pipe = statics.results.has_pipe();
   return {std::move(statics), read_dynamics(Hdf5Reader(h5), pipe)};
 }

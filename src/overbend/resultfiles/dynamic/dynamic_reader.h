@@ -9,7 +9,7 @@
 namespace overbend {
 
 struct StoredDynamics {
-  StoredStatics statics;  ///< Of a hull without a pipe as of_hull_alone().
+  StoredStatics statics;
   DynamicResults results;
 };
 

@@ -113,6 +113,11 @@ Hdf5Writer Hdf5Writer::reopen(const std::filesystem::path& file) {
   return writer;
 }
 
+void Hdf5Writer::link(const std::string& path, const std::string& target) {
+  require(H5Lcreate_soft(target.c_str(), file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+          path + " cannot be linked in results.h5");
+}
+
 void Hdf5Writer::remove(const std::string& path) {
   require(H5Ldelete(file_, path.c_str(), H5P_DEFAULT), path + " cannot be taken out of results.h5");
 }

@@ -67,6 +67,8 @@ class Hdf5Writer final : public DatasetSink {
   template <class Number>
   void write_rows(const std::string& path, hsize_t first, const std::vector<Number>& values);
 
+  /// Another name for what stands, or will stand, at `target`.
+  void link(const std::string& path, const std::string& target);
   bool has(const std::string& path) const;
   /// Takes a group or a dataset that is no scale out of the file.
   void remove(const std::string& path);

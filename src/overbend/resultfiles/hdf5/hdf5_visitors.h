@@ -145,5 +145,7 @@ void write_lay_group(DatasetSink& file, const std::string& group, const StaticRe
 
 /// The groups model and static, and what the file says about itself.
 void write_static_groups(DatasetSink& file, const StaticResults& results, const Description& description);
+/// The results alone: the group static, and moorings, hull and lines where there are some.
+void write_static_parts(DatasetSink& file, const StaticResults& results);
 
 }  // namespace overbend

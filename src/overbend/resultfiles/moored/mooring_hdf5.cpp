@@ -24,7 +24,6 @@ std::vector<const MooredState*> states_of(const MooringResults& results) {
 
 template <class Row, class Visit>
 void visit_operation(Row& r, Visit& visit) {
-  visit_heading(r, visit);
   visit(ResultField{"operation", "1", "Operation; empty without one"}, r.operation);
   visit(ResultField{"distance", "m", "Of a pull-ahead"}, r.distance);
 }
@@ -258,7 +257,6 @@ std::optional<MooringResults> read_moorings(const Hdf5Reader& file) {
   visit_operation(results, values);
   read_states(file, results);
   read_steps(file, results);
-  results.checks = read_checks(file, "/moorings/checks");
   TableReader winches(file, "/moorings/winches");
   results.winches.resize(winches.rows("index"));
   for (std::size_t i = 0; i < results.winches.size(); ++i) {
@@ -266,13 +264,6 @@ std::optional<MooringResults> read_moorings(const Hdf5Reader& file) {
     visit_winch_move(results.winches[i], winches);
   }
   return results;
-}
-
-void write_mooring_groups(DatasetSink& file, const MooringResults& results, const Description& description) {
-  write_results_heading(file, results.title, description);
-  write_moorings(file, results);
-  write_checks(file, "/moorings/checks", results.checks);
-  if (results.hull) write_hull(file, *results.hull);
 }
 
 }  // namespace overbend

@@ -1,11 +1,8 @@
-#include "resultfiles/moored/mooring_writer.h"
 #include "resultfiles/summary/summary_fields.h"
 #include "resultfiles/summary/summary_json.h"
 #include "results/fields/moored_fields.h"
 #include "results/fields/mooring_fields.h"
 #include "results/fields/move_fields.h"
-#include "results/fields/static_values.h"
-#include "results/verdict.h"
 
 namespace overbend {
 namespace {
@@ -140,43 +137,6 @@ Json line_in_time(const SummaryStyle& style, const MooringLineDynamics& line) {
 
 }  // namespace
 
-Json mooring_summary_json(const MooringResults& results) {
-  const SummaryStyle style;
-  JsonWriter json(style);
-  json["status"] = "converged";
-  visit_heading(results, json);
-  json["units"] = "SI: m, N, rad; angles of the vessel by Rz(yaw) Ry(pitch) Rx(roll) along the drawn axes";
-  json["frame"] = kWorldFrame;
-  json["verdict"] = verdict_json(make_verdict(results.checks, results.findings));
-  json["checks"] = summary_checks(style, results.checks);
-  json["static"] = state_json(style, results.rest);
-  Json summary = json.take();
-  if (results.hull) add_hull(*results.hull, summary);
-  add_operation(style, results, summary);
-  return summary;
-}
-
-Json moored_dynamic_summary_json(const MooringResults& statics, const DynamicResults& results) {
-  const SummaryStyle style;
-  Json summary = mooring_summary_json(statics);
-  JsonWriter json(style);
-  visit_dynamic_settings(results, json);
-  json["extremes"] = style.rows(results.extremes, [&](const ExtremeEstimate& estimate) {
-    return object_of(style, [&](auto& one) { visit_estimate(estimate, one); });
-  });
-  json["energy_drift"] = style.number(results.energy.drift());
-  visit_dynamic_run(results.run, json);
-  json["verdict"] = verdict_json(make_verdict(results.checks, merge(results.findings, statics.findings)));
-  json["checks"] = summary_checks(style, results.checks);
-  summary["dynamic"] = json.take();
-  add_moored_dynamics(results, summary);
-  return summary;
-}
-
-std::string mooring_summary(const MooringResults& results) {
-  return summary_text(mooring_summary_json(results));
-}
-
 void add_hull(const HullResults& hull, Json& summary) {
   summary["static"]["hull"] = hull_json(SummaryStyle{}, hull);
 }
@@ -197,12 +157,14 @@ void add_moored_dynamics(const DynamicResults& results, Json& summary) {
       style.rows(results.moorings, [&](const MooringLineDynamics& line) { return line_in_time(style, line); });
 }
 
-void add_moorings(const MooringResults& results, Json& summary) {
+void add_moorings(const MooringResults& results, bool pipe, Json& summary) {
   const SummaryStyle style;
   Json rest = state_json(style, results.rest);
-  for (const char* part : {"vessel", "moorings", "mooring_force", "mooring_stiffness", "thrust"}) {
-    if (rest.contains(part)) summary["static"][part] = std::move(rest[part]);
+  if (pipe) {  // whose balance and iterations are told
+    rest.erase("balance");
+    rest.erase("iterations");
   }
+  summary["static"].update(rest);
   add_operation(style, results, summary);
 }
 

@@ -1,6 +1,7 @@
 #include "resultfiles/static/finite_check.h"
 
-#include "resultfiles/moored/mooring_writer.h"
+#include "resultfiles/lines/lines_files.h"
+#include "resultfiles/moored/mooring_tables.h"
 #include "resultfiles/tables/finite_visitor.h"
 #include "results/fields/check_fields.h"
 #include "results/fields/ground_fields.h"
@@ -109,6 +110,7 @@ void require_finite(const StaticResults& results) {
   require_finite(results.checks, "checks.");
   if (results.moorings) require_finite(*results.moorings);
   if (results.hull) require_finite(*results.hull);
+  require_finite(results.lines);
 }
 
 }  // namespace overbend

@@ -1,6 +1,7 @@
 #include "resultfiles/hdf5/check_hdf5.h"
 #include "resultfiles/hdf5/hdf5_file.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/mooring_hdf5.h"
 #include "resultfiles/static/results_writer.h"
 #include "resultfiles/static/sensitivity_files.h"
@@ -209,9 +210,21 @@ void write_results_heading(DatasetSink& file, const std::string& title, const De
 
 void write_static_groups(DatasetSink& file, const StaticResults& results, const Description& description) {
   write_results_heading(file, results.title, description);
-  write_lay_group(file, "/static", results);
+  write_static_parts(file, results);
+}
+
+void write_static_parts(DatasetSink& file, const StaticResults& results) {
+  if (results.has_pipe()) {
+    write_lay_group(file, "/static", results);
+  } else {
+    file.group("/static", "Static state");
+    ValueWriter heading{file, "/static"};
+    visit_heading(results, heading);
+    write_checks(file, "/static/checks", results.checks);
+  }
   if (results.moorings) write_moorings(file, *results.moorings);
   if (results.hull) write_hull(file, *results.hull);
+  write_lines(file, results.lines);
 }
 
 void write_static_hdf5(const StaticResults& results, const Description& description, const std::filesystem::path& path,

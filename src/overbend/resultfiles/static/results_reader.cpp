@@ -2,6 +2,7 @@
 
 #include "resultfiles/hdf5/check_hdf5.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
+#include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/mooring_hdf5.h"
 #include "resultfiles/static/sensitivity_files.h"
 #include "results/fields/ground_fields.h"
@@ -132,6 +133,15 @@ void read_route_parts(const Hdf5Reader& file, const std::string& group, StaticRe
   }
 }
 
+/// Of results without a pipe.
+StaticResults read_heading(const Hdf5Reader& file) {
+  StaticResults results;
+  ValueReader visit{file, "/static"};
+  visit_heading(results, visit);
+  results.checks = read_checks(file, "/static/checks");
+  return results;
+}
+
 }  // namespace
 
 StaticResults read_lay_group(const Hdf5Reader& file, const std::string& group) {
@@ -170,38 +180,11 @@ StoredStatics read_static_results(const std::filesystem::path& h5) {
   visit.group = "/model/stage";
   if (file.has(visit.group)) visit_lay_stage(stored.stage.emplace(), visit);
   StaticResults& results = stored.results;
-  results = read_lay_group(file, "/static");
+  results = file.has("/static/stations") ? read_lay_group(file, "/static") : read_heading(file);
   results.moorings = read_moorings(file);
   results.hull = read_hull(file);
+  results.lines = read_lines(file);
   stored.sensitivities = read_sensitivities(file);
-  return stored;
-}
-
-bool has_moorings_alone(const std::filesystem::path& h5) {
-  const Hdf5Reader file(h5);
-  return file.has("/moorings") && !file.has("/static");
-}
-
-StoredMoorings read_mooring_results(const std::filesystem::path& h5) {
-  const Hdf5Reader file(h5);
-  StoredMoorings stored;
-  std::optional<MooringResults> found = read_moorings(file);
-  if (!found) throw std::runtime_error("the file '" + h5.string() + "' holds no moorings");
-  stored.results = std::move(*found);
-  stored.results.hull = read_hull(file);
-  ValueReader visit{file, "/model"};
-  visit(ResultField{"text"}, stored.model_text);
-  visit(ResultField{"file"}, stored.model_file);
-  return stored;
-}
-
-StoredStatics read_rest(const std::filesystem::path& h5) {
-  if (!has_moorings_alone(h5)) return read_static_results(h5);
-  StoredMoorings rest = read_mooring_results(h5);
-  StoredStatics stored;
-  stored.results = of_hull_alone(std::move(rest.results));
-  stored.model_text = std::move(rest.model_text);
-  stored.model_file = std::move(rest.model_file);
   return stored;
 }
 

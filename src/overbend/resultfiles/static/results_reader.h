@@ -24,20 +24,4 @@ struct StoredStatics {
 /// the file is none of ours.
 StoredStatics read_static_results(const std::filesystem::path& h5);
 
-/// Results of a hull and its lines without a pipe, with their model file.
-struct StoredMoorings {
-  MooringResults results;
-  std::string model_text;
-  std::string model_file;  ///< Its path as it was given.
-};
-
-/// Whether results.h5 is one of hull and moorings without a pipe.
-bool has_moorings_alone(const std::filesystem::path& h5);
-
-/// Gives back what write_mooring_files wrote, bit for bit; throws likewise.
-StoredMoorings read_mooring_results(const std::filesystem::path& h5);
-
-/// Of either: of a hull alone as of_hull_alone().
-StoredStatics read_rest(const std::filesystem::path& h5);
-
 }  // namespace overbend

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "model/description/description.h"
+#include "results/moored_dynamics.h"
 #include "results/sensitivity_results.h"
 #include "results/static_results.h"
 
@@ -19,6 +20,10 @@ void write_static_results(const StaticResults& results, const Description& descr
 /// own. With `sensitivities` they say what the results hang on, and sensitivities.csv comes with them.
 void write_static_files(const StaticResults& results, const Description& description,
                         const std::filesystem::path& folder, const SensitivityResults* sensitivities = nullptr);
+
+/// moorings.csv and pull_ahead.csv into a folder, where the results have them. `in_time`: of a run from there.
+void write_mooring_tables(const StaticResults& results, const std::vector<MooringLineDynamics>& in_time,
+                          const std::filesystem::path& folder);
 
 /// The text of pipe.csv: a row per station, engineering units.
 std::string pipe_table(const StaticResults& results);

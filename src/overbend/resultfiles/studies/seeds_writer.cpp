@@ -90,7 +90,7 @@ Json seeds_json(const SeedsResults& results) {
 }
 
 std::string seeds_summary(const StaticResults& statics, const SeedsResults& results) {
-  Json summary = statics.has_pipe() ? static_summary_json(statics) : mooring_summary_json(*statics.moorings);
+  Json summary = static_summary_json(statics);
   summary["seeds"] = seeds_json(results);
   return summary_text(summary);
 }

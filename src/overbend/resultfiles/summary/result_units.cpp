@@ -6,6 +6,7 @@
 
 #include "resultfiles/summary/summary_fields.h"
 #include "results/fields/lay_operation_fields.h"
+#include "results/fields/line_values.h"
 #include "results/fields/moored_fields.h"
 #include "results/fields/mooring_fields.h"
 #include "results/operation_results.h"
@@ -147,12 +148,28 @@ void add_mooring_units_in_time(const UnitStyle& style, Json& dynamic) {
   dynamic["moorings"] = Json::array({object_of(style, [&](auto& one) { visit_mooring_dynamics(line, one); })});
 }
 
+/// What lines that stand by themselves add to the statics, and to a run in time.
+void add_line_units(const UnitStyle& style, Json& statics) {
+  const LineResult line;
+  const LineEndResult end;
+  Json& units = statics["lines"] = Json::array({object_of(style, [&](auto& one) { visit_line(line, one); })});
+  for (const char* name : {"first", "second"}) {
+    units[0][name] = object_of(style, [&](auto& one) { visit_line_end(end, one); });
+  }
+}
+
+void add_line_units_in_time(const UnitStyle& style, Json& dynamic) {
+  const LineDynamics line;
+  dynamic["lines"] = Json::array({object_of(style, [&](auto& one) { visit_line_in_time(line, one); })});
+}
+
 Json static_summary_told(const UnitStyle& style) {
   const StaticResults any;
   Json told;
   told["checks"] = summary_checks(style, any.checks);
   told["static"] = static_part(style, any);
   add_mooring_units(style, told["static"]);
+  add_line_units(style, told["static"]);
   return told;
 }
 
@@ -163,6 +180,7 @@ Json dynamic_summary_told(const UnitStyle& style) {
   Json told = static_summary_told(style);
   told["dynamic"] = dynamic_part(style, statics, any);
   add_mooring_units_in_time(style, told["dynamic"]);
+  add_line_units_in_time(style, told["dynamic"]);
   return told;
 }
 

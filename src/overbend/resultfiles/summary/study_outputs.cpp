@@ -78,6 +78,17 @@ std::vector<std::string> usual_outputs_of_hull(StudyAnalysis analysis) {
   return names;
 }
 
+std::vector<std::string> usual_outputs_of_lines(StudyAnalysis analysis) {
+  if (analysis == StudyAnalysis::dynamic) {
+    return {"max(dynamic.lines[*].largest_tension)", "min(dynamic.lines[*].least_tension)",
+            "max(dynamic.lines[*].utilisation)"};
+  }
+  std::vector<std::string> names = {"max(static.lines[*].largest_tension)", "min(static.lines[*].least_tension)",
+                                    "max(static.lines[*].utilisation)"};
+  if (analysis == StudyAnalysis::seek) names.insert(names.begin(), "seek.answer");
+  return names;
+}
+
 constexpr std::array kOfSeek = {"seek.answer", "seek.slope", "seek.residual", "seek.evaluations"};
 
 /// Of the first condition by the key: as in the summary.
@@ -124,8 +135,8 @@ std::string nearest_output(StudyAnalysis analysis, const std::string& name) {
   return nearest_word(parsed_result_name(name).path, paths);
 }
 
-std::vector<std::string> usual_outputs(StudyAnalysis analysis, bool pipe) {
-  if (!pipe) return usual_outputs_of_hull(analysis);
+std::vector<std::string> usual_outputs(StudyAnalysis analysis, const Description& model) {
+  if (!model.has_pipe) return model.lines.empty() ? usual_outputs_of_hull(analysis) : usual_outputs_of_lines(analysis);
   if (analysis == StudyAnalysis::dynamic) {
     return {"dynamic.top_tension.min",        "dynamic.top_tension.max",       "dynamic.smallest_tension",
             "dynamic.overbend.max_von_mises", "dynamic.sagbend.max_von_mises", "checks.governing"};

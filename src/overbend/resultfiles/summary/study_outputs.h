@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/json.h"
+#include "model/description/description.h"
 #include "model/description/study_description.h"
 #include "results/study_results.h"
 
@@ -22,8 +23,9 @@ std::optional<StudyOutput> study_output(StudyAnalysis analysis, const std::strin
 /// The known path that is nearest to what was meant; empty where none is near.
 std::string nearest_output(StudyAnalysis analysis, const std::string& name);
 
-/// What is gathered of a lay, or of a hull on mooring lines without a pipe, where the study does not say.
-std::vector<std::string> usual_outputs(StudyAnalysis analysis, bool pipe);
+/// What is gathered of a model, of which a study does not say it: of a lay, of a hull on mooring lines, of lines by
+/// themselves.
+std::vector<std::string> usual_outputs(StudyAnalysis analysis, const Description& model);
 
 /// The value of an output [SI]; nothing where the summary has none.
 std::optional<double> output_value(const Json& summary, StudyAnalysis analysis, const std::string& name);

@@ -14,14 +14,12 @@ Json static_summary_json(const StaticResults& results);
 /// The same as text: key results in SI.
 std::string static_summary(const StaticResults& results);
 
-/// What a static analysis of a vessel on mooring lines without a pipe writes.
-Json mooring_summary_json(const MooringResults& results);
-
-/// What a dynamic analysis of it writes.
-Json moored_dynamic_summary_json(const MooringResults& statics, const DynamicResults& results);
-
-/// Where a moored vessel lies and its lines, into the part of the statics; stages of its operation beside it.
-void add_moorings(const MooringResults& results, Json& summary);
+/// Where a moored vessel lies and its lines, into the part of the statics; stages of its operation next to it. `pipe`:
+/// whether the statics are those of a pipe too.
+void add_moorings(const MooringResults& results, bool pipe, Json& summary);
+/// static.lines, where lines stand by themselves, and dynamic.lines.
+void add_lines(const StaticResults& results, Json& summary);
+void add_lines_in_time(const DynamicResults& results, Json& summary);
 /// static.hull.
 void add_hull(const HullResults& hull, Json& summary);
 /// dynamic.vessel and dynamic.moorings, where the vessel floats.

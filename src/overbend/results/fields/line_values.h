@@ -36,25 +36,17 @@ template <class Row, class Visit>
 void visit_line_in_time(Row& r, Visit& visit) {
   visit(ResultField{"name", "1", "Name of the line"}.summary(), r.name);
   visit(ResultField{"least_tension", "N", "Least effective tension along the line over time"}.summary(),
-        r.least_in_time);
+        r.least_tension);
   visit(ResultField{"largest_tension", "N", "Largest effective tension along the line over time"}.summary(),
-        r.largest_in_time);
+        r.largest_tension);
   visit(ResultField{"utilisation", "1", "Largest tension over time over the breaking load of its segment"}.summary(),
-        r.utilisation_in_time);
+        r.utilisation);
   visit_spread(ResultField{"first_tension", "N", "Tension at the first end, negative where it is pushed"}.summary(
                    "first_tension/*"),
-               r.first.in_time, visit);
+               r.first_tension, visit);
   visit_spread(ResultField{"second_tension", "N", "Tension at the second end, negative where it is pushed"}.summary(
                    "second_tension/*"),
-               r.second.in_time, visit);
-}
-
-/// The run as a whole.
-template <class Results, class Visit>
-void visit_lines_run(Results& r, Visit& visit) {
-  visit(ResultField{"energy_drift", "1", "Error of the energy balance relative to the energy exchanged"}.summary(),
-        r.energy_drift);
-  visit(ResultField{"steps", "1", "Number of time steps"}.summary(), r.steps);
+               r.second_tension, visit);
 }
 
 /// A node: a row of lines.csv.
@@ -63,8 +55,13 @@ void visit_line_node(Row& r, Visit& visit) {
   visit(ResultField{"s", "m", "Unstressed length from the first end"}.csv("s"), r.s);
   visit(ResultField{"place", "m", "Place at rest", kWorldFrame}.csv(kComponents), r.place);
   visit(ResultField{"tension", "N", "Effective tension at rest"}.csv("tension"), r.tension);
-  visit(ResultField{"least_tension", "N", "Least over time"}.csv("least tension"), r.least_tension);
-  visit(ResultField{"largest_tension", "N", "Largest over time"}.csv("largest tension"), r.largest_tension);
+}
+
+/// The same over time; without a run the values at rest.
+template <class Visit>
+void visit_line_node_in_time(double least, double largest, Visit& visit) {
+  visit(ResultField{"least_tension", "N", "Least over time"}.csv("least tension"), least);
+  visit(ResultField{"largest_tension", "N", "Largest over time"}.csv("largest tension"), largest);
 }
 
 }  // namespace overbend

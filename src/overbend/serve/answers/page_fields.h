@@ -127,11 +127,9 @@ inline Vec3 leaving(const StaticResults& r) {
   return (r.stations[count - 2].p_W - r.stations[count - 1].p_W).normalized();
 }
 
-/// A static state. Without a pipe `r` has no stations, and what is told of a pipe is null; `lines` are those of a model
-/// of lines by themselves.
+/// A static state. Without a pipe `r` has no stations, and what is told of a pipe is null.
 template <class Style>
-auto page_statics(const Style& style, const StaticResults& r, const std::vector<std::string>* wanted,
-                  const std::vector<LineResult>& lines = {}) {
+auto page_statics(const Style& style, const StaticResults& r, const std::vector<std::string>* wanted) {
   const bool laid = !r.stations.empty();
   JsonWriter<Style> json(style);
   json["key"] = style.maybe(laid, [&] { return style.named("KeyResults", page_key(style, r)); });
@@ -155,7 +153,7 @@ auto page_statics(const Style& style, const StaticResults& r, const std::vector<
   });
   json["moorings"] =
       style.maybe(r.moorings.has_value(), [&] { return page_moorings(style, r.moorings.value_or(MooringResults{})); });
-  json["lines"] = style.rows(lines, [&](const LineResult& line) { return page_line(style, line); });
+  json["lines"] = style.rows(r.lines, [&](const LineResult& line) { return page_line(style, line); });
   json["checks"] = style.rows(r.checks.rows, [&](const CheckRow& row) { return page_check(style, row); });
   json["findings"] = style.findings(r.findings);
   const Verdict verdict = make_verdict(r.checks, r.findings);

@@ -31,19 +31,4 @@ Json static_json(const StaticResults& results, const std::vector<std::string>* l
   return page_statics(style, results, lists);
 }
 
-Json static_json(const MooringResults& results) {
-  StaticResults without_pipe;
-  without_pipe.findings = results.findings;
-  without_pipe.checks = results.checks;
-  without_pipe.moorings = results;
-  return page_statics(PageStyle{}, without_pipe, nullptr);
-}
-
-Json static_json(const LinesResults& results) {
-  StaticResults without_pipe;
-  without_pipe.findings = results.findings;
-  without_pipe.checks = results.checks;
-  return page_statics(PageStyle{}, without_pipe, nullptr, results.lines);
-}
-
 }  // namespace overbend

@@ -7,19 +7,15 @@
 #include <vector>
 
 #include "model/model.h"
-#include "results/line_results.h"
 #include "results/static_results.h"
 #include "serve/http/http.h"
 
 namespace overbend {
 
 /// `key`, `pipe`, `touchdown`, `supports`, `tensioner`, `moorings`, `lines` and `warnings` of POST /api/static. Lists
-/// run from the tensioner to the anchor. `lists`: which of `pipe` are wanted beside s, x, y and z; all when null.
+/// run from the tensioner to the anchor. Without a pipe what is told of one is null. `lists`: which of `pipe` are
+/// wanted beside s, x, y and z; all when null.
 Json static_json(const StaticResults& results, const std::vector<std::string>* lists = nullptr);
-
-/// The same of a hull on its mooring lines, and of lines by themselves: what is told of a pipe is null.
-Json static_json(const MooringResults& results);
-Json static_json(const LinesResults& results);
 
 /// Everything that does not move, and the sea: GET /api/scene. The sea has the seed given, else that of a run of the
 /// model.

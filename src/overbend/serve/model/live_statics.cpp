@@ -14,7 +14,7 @@
 #include "serve/answers/static_json.h"
 #include "serve/model/diagnose.h"
 #include "study/run/lay_beside.h"
-#include "study/run/model_statics.h"
+#include "study/run/static_run.h"
 
 namespace overbend {
 namespace {
@@ -74,22 +74,22 @@ Json LiveStatics::solve(Model model, const StaticWish& wish) {
   const bool near = !wish.full && last && close_by(*last, model);
   bool warm = near && !(model.description.has_pipe && pushed_sideways(model) && !wish.lists);
   const auto start = Clock::now();
-  ModelStatics found = solve_model(model, warm ? &last->solution : nullptr);
+  StaticRun found = run_statics(model, warm ? &last->solution : nullptr);
   if (found.failure && near && !warm) {
     warm = true;
     model = build_model(model.description);  // as it was before the attempt
-    found = solve_model(model, &last->solution);
+    found = run_statics(model, &last->solution);
   }
   // Found only from the last one, a lay that is pushed sideways is not the one that a run would find.
-  if (warm && found.lay && pushed_sideways(model)) {
-    found.lay->findings.push_back({FindingCode::other_equilibrium_possible, kFromTheLast});
+  if (warm && model.description.has_pipe && found.results && pushed_sideways(model)) {
+    found.results->findings.push_back({FindingCode::other_equilibrium_possible, kFromTheLast});
   }
   const double solve_ms = milliseconds_since(start);
   if (found.failure) {
     const StaticFailure& f = *found.failure;
     return {{"status", "failed"}, {"what", f.what}, {"where", f.where}, {"why", f.why}};
   }
-  if (!wish.lists) tell_hull(model, found);  // while a value is dragged it can wait
+  if (!wish.lists) tell_hull(model, *found.results);  // while a value is dragged it can wait
   if (found.solution) {
     hold.lock();
     last_ = std::make_shared<const Last>(
@@ -97,9 +97,7 @@ Json LiveStatics::solve(Model model, const StaticWish& wish) {
     hold.unlock();
   }
   Json answer = {{"status", "converged"}, {"elapsed_ms", 0.0}, {"solve_ms", solve_ms}, {"warm", warm}};
-  answer.update(found.lines      ? static_json(*found.lines)
-                : found.moorings ? static_json(*found.moorings)
-                                 : static_json(*found.lay, wish.lists ? &*wish.lists : nullptr));
+  answer.update(static_json(*found.results, wish.lists ? &*wish.lists : nullptr));
   return answer;
 }
 

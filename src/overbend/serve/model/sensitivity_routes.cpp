@@ -67,7 +67,7 @@ Json sensitivities_of(const ModelText& model, const std::vector<YamlChange>& cha
   }
   if (!reading.description->has_pipe) return failed("there is no pipe", "", "sensitivities are those of a lay");
   Model lay = build_model(*reading.description);
-  const LayOutcome outcome = solve_lay(lay);
+  const ModelEquilibrium outcome = solve_lay(lay);
   if (outcome.failure) return failed(outcome.failure->what, outcome.failure->where, outcome.failure->why);
   const auto found = find_sensitivities(lay, *outcome.solution);
   return found ? answer_of(*found) : failed("no sensitivities", "", kNoSensitivities);

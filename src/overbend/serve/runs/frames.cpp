@@ -27,30 +27,43 @@ Json pose(const SnapshotBlock& block, std::size_t frame) {
   return numbers;
 }
 
-/// Mooring lines with the number of their points.
-Json lines(const std::vector<MooringLineDynamics>& moorings) {
+/// A line whose points are in the snapshots.
+struct FilmedLine {
+  std::string name;
+  std::size_t points = 0;
+  bool backwards = false;  ///< Its points run from the other end in the file.
+};
+
+/// Mooring lines, which the page has from the fairlead on and the file from the anchor; lines that stand by themselves
+/// from their first end on.
+std::vector<FilmedLine> filmed_lines(const DynamicResults& results) {
+  std::vector<FilmedLine> lines;
+  for (const MooringLineDynamics& line : results.moorings) lines.push_back({line.name, line.points.size(), true});
+  for (const LineDynamics& line : results.lines) lines.push_back({line.name, line.least_at_nodes.size(), false});
+  return lines;
+}
+
+Json lines_json(const std::vector<FilmedLine>& lines) {
   Json list = Json::array();
-  for (const MooringLineDynamics& line : moorings) {
-    list.push_back({{"name", line.name}, {"points", line.points.size()}});
-  }
+  for (const FilmedLine& line : lines) list.push_back({{"name", line.name}, {"points", line.points}});
   return list;
 }
 
-/// The points of the lines of every frame, line by line from the fairlead to the anchor, as float32 in base64; the
-/// file has them the other way round.
-std::string line_places(const SnapshotBlock& block, const std::vector<MooringLineDynamics>& moorings) {
+/// The points of the lines of every frame, line by line, as float32 in base64.
+std::string line_places(const SnapshotBlock& block, const std::vector<FilmedLine>& lines) {
   std::vector<float> numbers;
   const auto count = static_cast<std::size_t>(block.line_points);
   numbers.reserve(3 * block.time.size() * count);
   for (std::size_t frame = 0; frame < block.time.size(); ++frame) {
     std::size_t first = frame * count;
-    for (const MooringLineDynamics& line : moorings) {
-      for (std::size_t i = line.points.size(); i-- > 0;) {
+    for (const FilmedLine& line : lines) {
+      for (std::size_t i = 0; i < line.points; ++i) {
+        const std::size_t point = first + (line.backwards ? line.points - 1 - i : i);
         for (const auto* part : {&block.line_x, &block.line_y, &block.line_z}) {
-          numbers.push_back(static_cast<float>((*part)[first + i]));
+          numbers.push_back(static_cast<float>((*part)[point]));
         }
       }
-      first += line.points.size();
+      first += line.points;
     }
   }
   return base64_floats(numbers);
@@ -74,9 +87,9 @@ Json frames_json(const std::filesystem::path& h5, std::int64_t first, std::int64
                  {"effective_tension", stations(block, {&block.effective_tension})},
                  {"von_mises", stations(block, {&block.von_mises})}};
   if (block.line_points > 0) {
-    const std::vector<MooringLineDynamics> moorings = read_dynamic_results(h5).results.moorings;
-    answer["lines"] = lines(moorings);
-    answer["line_place"] = line_places(block, moorings);
+    const std::vector<FilmedLine> lines = filmed_lines(read_dynamic_results(h5).results);
+    answer["lines"] = lines_json(lines);
+    answer["line_place"] = line_places(block, lines);
   }
   return answer;
 }

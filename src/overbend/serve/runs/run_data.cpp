@@ -5,7 +5,6 @@
 
 #include "modelfile/reading/yaml_reader.h"
 #include "resultfiles/dynamic/dynamic_reader.h"
-#include "resultfiles/lines/lines_reader.h"
 #include "serve/answers/page_fields.h"
 #include "serve/answers/page_style.h"
 
@@ -25,11 +24,6 @@ DynamicResults still(const StaticResults& statics) {
     r.static_strain.push_back(at.strain);
   }
   return r;
-}
-
-/// Whether the file is that of a lay: its table lies beside it.
-bool has_pipe(const std::filesystem::path& h5) {
-  return std::filesystem::exists(h5.parent_path() / "pipe.csv");
 }
 
 Json envelopes(const DynamicResults& r, bool over_time) {
@@ -68,35 +62,21 @@ Json columns_json(const std::vector<HistoryColumn>& columns) {
 }
 
 Json envelopes_json(const std::filesystem::path& h5) {
-  if (!has_pipe(h5)) return envelopes({}, false);
-  return has_dynamic(h5) ? envelopes(read_dynamic_results(h5).results, true)
-                         : envelopes(still(read_static_results(h5).results), false);
+  if (!has_dynamic(h5)) return envelopes(still(read_static_results(h5).results), false);
+  const StoredDynamics stored = read_dynamic_results(h5);
+  return envelopes(stored.results, stored.statics.results.has_pipe());
 }
 
 Json run_statics_json(const std::filesystem::path& h5) {
   Json answer = {{"status", "converged"}};
-  if (has_pipe(h5)) {
-    answer.update(
-        static_json(has_dynamic(h5) ? read_dynamic_results(h5).statics.results : read_static_results(h5).results));
-  } else {
-    answer.update(has_lines(h5) ? static_json(read_lines_results(h5).results)
-                                : static_json(read_mooring_results(h5).results));
-  }
+  answer.update(static_json(read_static_results(h5).results));
   return answer;
 }
 
 Json run_scene_json(const std::filesystem::path& h5, const std::string& file) {
-  std::string text;
+  const std::string text = read_static_results(h5).model_text;
   std::optional<std::uint64_t> seed;
-  if (!has_pipe(h5)) {
-    text = has_lines(h5) ? read_lines_results(h5).model_text : read_mooring_results(h5).model_text;
-  } else if (has_dynamic(h5)) {
-    StoredDynamics stored = read_dynamic_results(h5);
-    text = std::move(stored.statics.model_text);
-    seed = stored.results.seed;
-  } else {
-    text = read_static_results(h5).model_text;
-  }
+  if (has_dynamic(h5)) seed = read_dynamic_results(h5).results.seed;
   std::optional<Description> description = read_model_text(text, file).description;
   if (!description) {  // a file that it mentions may have gone
     Diagnostics faults;

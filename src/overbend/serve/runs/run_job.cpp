@@ -9,8 +9,7 @@
 #include "modelfile/reading/yaml_reader.h"
 #include "serve/runs/run_queue.h"
 #include "study/run/case.h"
-#include "study/run/lines_run.h"
-#include "study/run/model_statics.h"
+#include "study/run/static_run.h"
 #include "study/seeds/compare_variants.h"
 #include "study/seeds/study.h"
 #include "study/stages/stage_choice.h"
@@ -62,20 +61,6 @@ std::string command_of(const ModelText& model, const RunInfo& run, const std::st
   const std::string stage = run.stage.empty() ? "" : fmt::format(" --stage '{}'", run.stage);
   const std::string time = run.duration > 0.0 ? fmt::format(" --duration '{} s'", run.duration) : "";
   return fmt::format(", also with: overbend {} '{}' -o '{}'{}{} --resume", command, model.path, folder, stage, time);
-}
-
-/// Lines by themselves in time: one seed, without progress on the way. Why there are no results; empty where there are.
-std::string run_lines_into(const std::filesystem::path& folder, Description description, const RunInfo& run,
-                           FileLock& files) {
-  if (run.is_study()) return "lines by themselves are run one at a time";
-  if (run.duration > 0.0) set_duration(description, run.duration);
-  if (!description.dynamics) return failure_line(without_dynamics());
-  const Model model = build_model(description);
-  const std::lock_guard hold(files);
-  const LinesOutcome outcome = run_lines_in(folder, model, dynamic_options(model), false,
-                                            [](const DynamicProgress&) { return DynamicControl::go_on; });
-  if (outcome.stopped) throw Interrupted();
-  return outcome.failure ? failure_line(*outcome.failure) : "";
 }
 
 /// One core is left for the page: its statics are solved while a study runs.
@@ -207,23 +192,19 @@ void RunQueue::run_static(const Job& job) {
   const std::string& id = job.run.id;
   const Description description = description_of(job.model, job.run.stage);
   Model model = build_model(description);
-  ModelStatics found = solve_model(model);
+  StaticRun found = run_statics(model);
   if (found.failure) return end(id, RunState::failed, failure_line(*found.failure));
   if (stop_) return end(id, RunState::cancelled, "cancelled");
-  tell_hull(model, found);
+  tell_hull(model, *found.results);
   {
     const std::lock_guard hold(files_);
-    write_model_statics(found, description, folder(job.run));
+    write_static_run(*found.results, description, folder(job.run));
   }
   end(id, RunState::done, "");
 }
 
 void RunQueue::run_dynamic(const Job& job) {
   const Description description = description_of(job.model, job.run.stage);
-  if (is_lines_alone(description)) {
-    const std::string fault = run_lines_into(folder(job.run), description, job.run, files_);
-    return end(job.run.id, fault.empty() ? RunState::done : RunState::failed, fault);
-  }
   Watch watch(*this, job);
   const StudyEnd ended = run_study(description, plan_of(job.run, description), folder(job.run),
                                    {job.resume, kCheckpoint, study_threads()}, watch, files_);

@@ -21,8 +21,10 @@ HullPlace place_of(const VesselPose& pose) {
   return {pose.p_WV, pose.R_WV};
 }
 
-LayOutcome fail(StaticFailure failure) {
-  return {std::nullopt, std::nullopt, std::move(failure)};
+ModelEquilibrium fail(StaticFailure failure) {
+  ModelEquilibrium none;
+  none.failure = std::move(failure);
+  return none;
 }
 
 double surge_period(const MooredState& rest) {
@@ -33,12 +35,13 @@ double surge_period(const MooredState& rest) {
 }
 
 /// `start`: of the pipe, or without one; what the hull's lines do is added.
-LayOutcome solved(const Model& model, StaticSolution start, const MooredHull& moored, const PipeOnHull& pipe) {
-  std::variant<MooringResults, StaticFailure> outcome = moored_results(model, moored, pipe);
+ModelEquilibrium solved(const Model& model, StaticSolution start, const MooredHull& moored, const PipeOnHull& pipe) {
+  std::variant<MooredOutcome, StaticFailure> outcome = moored_results(model, moored, pipe);
   if (const StaticFailure* failure = std::get_if<StaticFailure>(&outcome)) {
     return fail(*failure);
   }
-  MooringResults& results = std::get<MooringResults>(outcome);
+  MooredOutcome& found = std::get<MooredOutcome>(outcome);
+  const MooringResults& results = found.results;
   start.moorings = moored.spread;
   if (const auto& hull = model.description.vessel.coupled) {
     start.station_stiffness = station_stiffness(&results.rest, hull->centre_of_gravity);
@@ -46,7 +49,12 @@ LayOutcome solved(const Model& model, StaticSolution start, const MooredHull& mo
   if (!results.steps.empty()) {
     start.winches = winch_plan(model.description.operation, results.steps, surge_period(results.rest));
   }
-  return {std::move(start), std::move(results), std::nullopt};
+  ModelEquilibrium equilibrium;
+  equilibrium.solution = std::move(start);
+  equilibrium.moorings = std::move(found.results);
+  equilibrium.assumptions = std::move(found.assumptions);
+  equilibrium.findings = std::move(found.findings);
+  return equilibrium;
 }
 
 StaticFailure no_rest(const MooredHull& moored) {
@@ -59,7 +67,7 @@ bool is_moored_lay(const Description& description) {
   return description.has_pipe && has_station(description);
 }
 
-LayOutcome solve_moored_hull(Model& model) {
+ModelEquilibrium solve_moored_hull(Model& model) {
   model.mean_pose = model.drawn_pose;
   std::variant<MooredHull, StaticFailure> made = moored_hull(model);
   if (const StaticFailure* failure = std::get_if<StaticFailure>(&made)) {
@@ -80,12 +88,15 @@ LayOutcome solve_moored_hull(Model& model) {
 namespace {
 
 /// With the moments of the steel as they are.
-LayOutcome solve_bent(Model& model, const StaticSolution* start, const LinePast& past) {
+ModelEquilibrium solve_bent(Model& model, const StaticSolution* start, const LinePast& past) {
   model.mean_pose = model.drawn_pose;
   if (!is_moored_lay(model.description)) {
     StaticOutcome pipe = rest_with_stinger(model, start, past);
     if (pipe.solution) measure_stinger(model, *pipe.solution);
-    return {std::move(pipe.solution), std::nullopt, std::move(pipe.failure)};
+    ModelEquilibrium equilibrium;
+    equilibrium.solution = std::move(pipe.solution);
+    equilibrium.failure = std::move(pipe.failure);
+    return equilibrium;
   }
   std::variant<MooredHull, StaticFailure> made = moored_hull(model);
   if (const StaticFailure* failure = std::get_if<StaticFailure>(&made)) {
@@ -125,8 +136,8 @@ LayOutcome solve_bent(Model& model, const StaticSolution* start, const LinePast&
 
 }  // namespace
 
-LayOutcome solve_lay(Model& model, const StaticSolution* start, const LinePast& past) {
-  LayOutcome lay = solve_bent(model, start, past);
+ModelEquilibrium solve_lay(Model& model, const StaticSolution* start, const LinePast& past) {
+  ModelEquilibrium lay = solve_bent(model, start, past);
   if (model.description.tensioner.tension) return lay;
   for (int turn = 0; turn < kMostTensions && lay.solution; ++turn) {
     if (!bend_under(model, recover_state(model, *lay.solution).top_tension)) break;

@@ -1,6 +1,8 @@
-/// Statics of a hull on mooring lines: with the pipe of a lay, or without one.
+/// The equilibrium of a model: of a lay, of a hull on mooring lines with a pipe or without one, of lines by themselves.
 #pragma once
 
+#include "base/assumption.h"
+#include "results/line_results.h"
 #include "results/mooring_results.h"
 #include "statics/solver/statics.h"
 
@@ -9,16 +11,28 @@ namespace overbend {
 /// Whether a lay has mooring lines, or dynamic positioning: statics find where its vessel lies.
 bool is_moored_lay(const Description& description);
 
-struct LayOutcome {
-  std::optional<StaticSolution> solution;
-  std::optional<MooringResults> moorings;  ///< Of a hull on mooring lines.
-  std::optional<StaticFailure> failure;
+/// What statics find of a model, whatever it has: a pipe that is laid, a hull on its lines, lines by themselves.
+struct ModelEquilibrium {
+  std::optional<StaticSolution> solution{};  ///< What the next statics, and a run in time, start from.
+  std::optional<MooringResults> moorings{};  ///< Of a hull on mooring lines, or by dynamic positioning.
+  std::vector<LineResult> lines{};           ///< That stand by themselves.
+  // Of all but the pipe, whose results are recovered from the solution.
+  Assumptions assumptions{};
+  Findings findings{};
+  std::optional<StaticFailure> failure{};
 };
+
+/// The equilibrium of a model; sets `model.mean_pose`, and `model.supports` to where a stinger on hinges comes to rest.
+/// `start` and `past` serve a pipe, as in solve_statics().
+ModelEquilibrium solve_equilibrium(Model& model, const StaticSolution* start = nullptr, const LinePast& past = {});
+
+/// Of lines by themselves, on a vessel that stays where it is drawn.
+ModelEquilibrium solve_lines(const Model& model);
 
 /// Rest of a hull on its lines or by dynamic positioning without a pipe, and the stages of its operation; sets
 /// `model.mean_pose` to where it lies. The solution has no more than what a run in time starts from: pose, lines, what
 /// the winches do.
-LayOutcome solve_moored_hull(Model& model);
+ModelEquilibrium solve_moored_hull(Model& model);
 
 /// Finds the equilibrium of the lay, and sets `model.mean_pose` to where the vessel comes to lie and `model.supports`
 /// to where a stinger on hinges comes to rest (statics/stinger/stinger_rest.h). Without mooring lines
@@ -30,6 +44,6 @@ LayOutcome solve_moored_hull(Model& model);
 /// and `past` as for solve_statics.
 ///
 /// Where the tension is a result, steel that yields is bent by the tension found before, until that stays.
-LayOutcome solve_lay(Model& model, const StaticSolution* start = nullptr, const LinePast& past = {});
+ModelEquilibrium solve_lay(Model& model, const StaticSolution* start = nullptr, const LinePast& past = {});
 
 }  // namespace overbend

@@ -12,7 +12,7 @@ namespace {
 constexpr int kTrimRounds = 4;
 
 /// A held hull: the lines alone.
-void solve_lines(MooredHull& moored) {
+void find_lengths(MooredHull& moored) {
   moored.rest.forces = hull_forces(moored.spread, moored.hull, moored.rest.offset, moored.rest.lines);
   moored.rest.fault = moored.rest.forces.fault;
 }
@@ -81,7 +81,7 @@ void find_pose(MooredHull& moored) {
   if (moored.free) {
     moored.rest = find_rest(moored.spread, moored.hull, moored.rest.offset);
   } else {
-    solve_lines(moored);
+    find_lengths(moored);
   }
 }
 
@@ -90,7 +90,7 @@ void find_rest_at_start(const Description& d, MooredHull& moored) {
   Eigen::VectorXd wished;  // what the lines pull with as described, the hull as drawn and before it gives way to loads
   if (lengths) {
     moored.rest.offset.setZero();
-    solve_lines(moored);
+    find_lengths(moored);
     if (moored.rest.fault || !moored.free) return;
     wished = pulls_of(moored.spread, moored.rest.lines);
   }

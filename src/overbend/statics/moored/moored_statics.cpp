@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/version.h"
 #include "model/model_findings.h"
-#include "model/vessel/station.h"
 #include "moorings/anchor_plan.h"
 #include "moorings/planner.h"
 #include "statics/moored/anchor_move.h"
@@ -20,7 +18,8 @@ namespace {
 /// Collects states; the first fault stays.
 class Stages {
  public:
-  Stages(const Model& model, MooringResults& results) : model_(model), results_(results) {}
+  Stages(const Model& model, MooredOutcome& outcome)
+      : model_(model), results_(outcome.results), findings_(outcome.findings) {}
 
   std::optional<MooredState> state(const std::string& name, const MooredHull& moored) {
     fault_ = moored.rest.fault ? moored.rest.fault : broken_line(moored);
@@ -29,7 +28,7 @@ class Stages {
       return std::nullopt;
     }
     MooredState found = moored_state(name, model_, moored.spread, moored.hull, moored.rest, moored.free);
-    append(results_.findings, mooring_findings(model_, moored.spread, found));
+    append(findings_, mooring_findings(model_, moored.spread, found));
     return found;
   }
   bool add(const std::string& name, const MooredHull& moored) {
@@ -48,6 +47,7 @@ class Stages {
  private:
   const Model& model_;
   MooringResults& results_;
+  Findings& findings_;
   MooringFault fault_;
   std::string where_;
   std::optional<StaticFailure> failure_;
@@ -158,24 +158,15 @@ bool run_operation(const Model& model, const MooredHull& start, const PipeOnHull
 
 }  // namespace
 
-bool is_moored_hull(const Description& description) {
-  return !description.has_pipe && description.lines.empty() && has_station(description);
-}
-
-std::variant<MooringResults, StaticFailure> moored_results(const Model& model, const MooredHull& moored,
-                                                           const PipeOnHull& pipe) {
-  const Description& d = model.description;
-  MooringResults results;
-  results.title = d.title;
-  results.version = OVERBEND_VERSION;
-  results.assumptions = mooring_assumptions(model);
-  results.findings = model_findings(model);
-  Stages stages(model, results);
+std::variant<MooredOutcome, StaticFailure> moored_results(const Model& model, const MooredHull& moored,
+                                                          const PipeOnHull& pipe) {
+  MooredOutcome outcome{{}, mooring_assumptions(model), model_findings(model)};
+  Stages stages(model, outcome);
   std::optional<MooredState> rest = stages.state("static", moored);
   if (!rest) return stages.failure();
-  results.rest = std::move(*rest);
-  if (!run_operation(model, moored, pipe, stages, results)) return stages.failure();
-  return results;
+  outcome.results.rest = std::move(*rest);
+  if (!run_operation(model, moored, pipe, stages, outcome.results)) return stages.failure();
+  return outcome;
 }
 
 }  // namespace overbend

@@ -10,12 +10,16 @@
 
 namespace overbend {
 
-/// Whether the model's statics are those of a hull and its lines.
-bool is_moored_hull(const Description& description);
+/// Results of a hull with what is assumed and found of it.
+struct MooredOutcome {
+  MooringResults results;
+  Assumptions assumptions;
+  Findings findings;
+};
 
-/// Results of a hull whose rest at the start has been found, the stages of its operation included; or why there are
-/// none. `pipe`: of a lay.
-std::variant<MooringResults, StaticFailure> moored_results(const Model& model, const MooredHull& moored,
-                                                           const PipeOnHull& pipe = {});
+/// Of a hull whose rest at the start has been found, the stages of its operation included; or why there are none.
+/// `pipe`: of a lay.
+std::variant<MooredOutcome, StaticFailure> moored_results(const Model& model, const MooredHull& moored,
+                                                          const PipeOnHull& pipe = {});
 
 }  // namespace overbend

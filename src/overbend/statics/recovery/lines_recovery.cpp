@@ -6,9 +6,7 @@
 #include <cmath>
 
 #include "base/shown_unit.h"
-#include "base/version.h"
 #include "mechanics/ground.h"
-#include "model/model_findings.h"
 #include "system/cut_forces.h"
 
 namespace overbend {
@@ -32,7 +30,6 @@ LineEndResult end_of(const LineAssembly& line, const std::vector<double>& q, Lin
   end.force = Vec3(force[0], force[1], force[2]);
   end.tension = (which == LineEnd::last ? 1.0 : -1.0) * end.force.dot(tangent);  // as in time
   end.declination = std::asin(std::clamp(which == LineEnd::last ? tangent.z() : -tangent.z(), -1.0, 1.0));
-  end.in_time = {end.tension, end.tension, end.tension, 0.0};
   return end;
 }
 
@@ -54,7 +51,6 @@ std::vector<LineNodeResult> nodes_of(const LineAssembly& line, const std::vector
     one.place = Vec3Map(q.data() + 6 * node);
     const Vec3 force = cut_at_node(line.cuts(), q, node).force;
     one.tension = tension_at(line.line().elements, node, force, tangent);
-    one.least_tension = one.largest_tension = one.tension;
     nodes.push_back(one);
   }
   return nodes;
@@ -161,13 +157,11 @@ Assumptions line_assumptions(const Model& model) {
   return told;
 }
 
-LinesResults recover_lines(const Model& model, const Assembly& assembly, const SystemState& state,
-                           const LinesRest& rest) {
-  LinesResults results;
-  results.title = model.description.title;
-  results.version = kVersion;
-  results.findings = model_findings(model);
-  results.assumptions = line_assumptions(model);
+std::vector<LineResult> recover_lines(const Model& model, const Assembly& assembly, const LinesAtRest& lines,
+                                      Findings& findings) {
+  const SystemState& state = lines.state;
+  const LinesRest& rest = lines.rest;
+  std::vector<LineResult> results;
   for (std::size_t i = 0; i < state.lines.size(); ++i) {
     const FreeLineDescription& description = model.description.lines[i];
     const LineAssembly& solved = assembly.line(i);
@@ -185,12 +179,12 @@ LinesResults recover_lines(const Model& model, const Assembly& assembly, const S
     line.nodes = nodes_of(solved, q);
     const auto by_tension = [](const LineNodeResult& a, const LineNodeResult& b) { return a.tension < b.tension; };
     const auto [least, most] = std::minmax_element(line.nodes.begin(), line.nodes.end(), by_tension);
-    line.least_tension = line.least_in_time = least->tension;
-    line.largest_tension = line.largest_in_time = most->tension;
+    line.least_tension = least->tension;
+    line.largest_tension = most->tension;
     line.utilisation = utilisation_of(description, line, solved.line().mesh);
-    warn(description, line, rest.in_bows[i], results.findings);
-    warn_of_fold(line.name, solved.line().mesh, q, results.findings);
-    results.lines.push_back(std::move(line));
+    warn(description, line, rest.in_bows[i], findings);
+    warn_of_fold(line.name, solved.line().mesh, q, findings);
+    results.push_back(std::move(line));
   }
   return results;
 }

@@ -1,4 +1,4 @@
-/// Equilibrium of lines between held ends: mooring lines, and lines that stand by themselves. Lines that share no
+/// ModelEquilibrium of lines between held ends: mooring lines, and lines that stand by themselves. Lines that share no
 /// unknowns rest each by itself.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// Equilibrium of lines and free bodies together.
+/// ModelEquilibrium of lines and free bodies together.
 #pragma once
 
 #include "system/assembly.h"

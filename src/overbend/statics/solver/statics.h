@@ -54,6 +54,8 @@ struct StaticSolution {
   StingerAtRest stinger;                     ///< Of a stinger on hinges, see statics/stinger/stinger_rest.h.
   std::optional<MeshZones> zones;            ///< What its mesh was made for.
   MeshDescription mesh_asked;                ///< Elements that the model asked for.
+
+  bool has_pipe() const { return !mesh.length.empty(); }
 };
 
 /// The equations of a line on a mesh, with its past.

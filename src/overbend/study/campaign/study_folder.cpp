@@ -194,7 +194,7 @@ std::vector<StudyOutput> study_outputs(const CaseBase& base) {
   const std::optional<SeekDescription> seek =
       study.analysis == StudyAnalysis::seek ? read_seek(base.model()) : std::nullopt;
   std::vector<StudyOutput> outputs;
-  const std::vector<std::string> usual = usual_outputs(study.analysis, base.model().has_pipe);
+  const std::vector<std::string> usual = usual_outputs(study.analysis, base.model());
   for (const std::string& name : study.gather.empty() ? usual : study.gather) {
     if (auto output = study_output(study.analysis, name, seek)) outputs.push_back(std::move(*output));
   }

@@ -17,8 +17,7 @@
 #include "study/goal_seek/seek_run.h"
 #include "study/run/dynamic_realisation.h"
 #include "study/run/exceeded_early.h"
-#include "study/run/model_statics.h"
-#include "study/run/operation_run.h"
+#include "study/run/static_run.h"
 #include "study/stages/lay_operation.h"
 
 namespace overbend {
@@ -51,22 +50,15 @@ CaseAnswer answer_statics(const CaseBase& base, const CaseQuestion& question, Ca
   // Files that stay are those of a solution by itself.
   std::vector<const LayStart*> starts = {neighbour.start.get(), neighbour.other.get()};
   if (conduct.keep) starts.clear();
-  ModelStatics found = solve_beside(model, starts, &neighbour.found);
+  StaticRun found = solve_beside(model, starts, &neighbour.found);
   if (found.failure) return {failed_end(*found.failure, description)};
   CaseAnswer answer;
-  tell_hull(model, found);
-  if (found.lay) {
-    judge(found.lay->checks, found.lay->findings, answer);
-    answer.summary = static_summary_json(*found.lay);
-  } else if (found.moorings) {
-    judge(found.moorings->checks, found.moorings->findings, answer);
-    answer.summary = mooring_summary_json(*found.moorings);
-  } else {
-    return ended(RunEnding::wrong_input, "a study of statics needs a lay or a vessel on mooring lines");
-  }
+  tell_hull(model, *found.results);
+  judge(found.results->checks, found.results->findings, answer);
+  answer.summary = static_summary_json(*found.results);
   if (conduct.keep) {
     const auto hold = held(conduct.files);
-    write_model_statics(found, description, conduct.folder);
+    write_static_run(*found.results, description, conduct.folder);
   }
   return answer;
 }
@@ -164,13 +156,8 @@ CaseAnswer answer_seek(const CaseBase& base, const CaseQuestion& question, const
   const SeekRun run = run_seek(description, *wanted);
   if (!run.results.found) return ended(RunEnding::no_solution, "no solution: " + run.results.why);
   CaseAnswer answer;
-  if (run.statics.lay) {
-    judge(run.statics.lay->checks, run.statics.lay->findings, answer);
-    answer.summary = static_summary_json(*run.statics.lay);
-  } else {
-    judge(run.statics.moorings->checks, run.statics.moorings->findings, answer);
-    answer.summary = mooring_summary_json(*run.statics.moorings);
-  }
+  judge(run.statics.results->checks, run.statics.results->findings, answer);
+  answer.summary = static_summary_json(*run.statics.results);
   answer.summary["seek"] = seek_json(run.results);
   if (conduct.keep) {
     const auto hold = held(conduct.files);

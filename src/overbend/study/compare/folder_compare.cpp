@@ -73,7 +73,7 @@ void take_statics(Read& read, const StoredStatics& stored) {
   read.model_text = stored.model_text;
   read.folder.title = stored.results.title;
   read.folder.version = stored.results.version;
-  read.folder.findings = static_findings(stored.results);
+  read.folder.findings = stored.results.findings;
   if (stored.results.has_pipe()) take_pipe(read, stored.results);
   if (stored.results.moorings) append(read.values, mooring_values(*stored.results.moorings));
 }
@@ -94,7 +94,7 @@ void take_run(Read& read, const fs::path& h5) {
     read.folder.kind = ResultsKind::dynamics;
     take_dynamics(read, h5);
   } else {
-    take_statics(read, read_rest(h5));
+    take_statics(read, read_static_results(h5));
   }
 }
 
@@ -124,7 +124,7 @@ void take_seeds(Read& read, const fs::path& folder, const Json& summary) {
   if (seeds["runs"].empty()) throw std::runtime_error(folder.string() + ": none of its seeds has results");
   const fs::path first = folder / seeds["runs"][0]["folder"].get<std::string>() / "results.h5";
   const Findings findings = read.folder.findings;
-  take_statics(read, read_rest(first));
+  take_statics(read, read_static_results(first));
   read.folder.findings.insert(read.folder.findings.end(), findings.begin(), findings.end());
   for (const auto& item : seeds["statistics"].items()) {
     const std::string& name = item.key();

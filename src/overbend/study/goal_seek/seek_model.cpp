@@ -65,9 +65,6 @@ double distance(const std::vector<SeekUnknown>& unknowns, const std::vector<doub
 
 SeekModel::SeekModel(const Description& description, const SeekDescription& seek, std::function<bool()> stop)
     : base_(description), tree_(parsed(description)), stop_(std::move(stop)) {
-  if (!base_.has_pipe && !base_.moorings) {
-    throw SeekFault("a goal seek needs a lay or a vessel on mooring lines; the model has neither");
-  }
   for (const SeekVariable& variable : seek.vary) {
     for (const ChosenKey& key : chosen_keys(tree_, name_parts(variable.key).value())) {
       unknowns_.push_back(unknown_of(variable, key, tree_));
@@ -111,12 +108,12 @@ SeekPoint SeekModel::solve(const std::vector<double>& values, const StaticSoluti
   SeekPoint point{.values = values, .summary = {}, .solution = {}, .failure = {}};
   try {
     Model model = build_model(described(values));
-    ModelStatics found = solve_model(model, start);
-    if (found.failure && start != nullptr) found = solve_model(model);  // the start may have been too far off
+    StaticRun found = run_statics(model, start);
+    if (found.failure && start != nullptr) found = run_statics(model);  // the start may have been too far off
     if (found.failure) {
       point.failure = failure_line(*found.failure);
     } else {
-      point.summary = found.lay ? static_summary_json(*found.lay) : mooring_summary_json(*found.moorings);
+      point.summary = static_summary_json(*found.results);
       point.solution = std::move(found.solution);
     }
   } catch (const std::runtime_error& fault) {

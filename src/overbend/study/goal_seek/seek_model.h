@@ -13,7 +13,7 @@
 #include "modelfile/yaml/yaml_edit.h"
 #include "resultfiles/summary/summary_json.h"
 #include "results/seek_results.h"
-#include "study/run/model_statics.h"
+#include "study/run/static_run.h"
 
 namespace overbend {
 

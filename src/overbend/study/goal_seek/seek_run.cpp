@@ -4,7 +4,6 @@
 #include "modelfile/reading/yaml_reader.h"
 #include "modelfile/yaml/moved_text.h"
 #include "report/report.h"
-#include "resultfiles/moored/mooring_writer.h"
 #include "resultfiles/static/results_writer.h"
 #include "resultfiles/studies/seek_writer.h"
 #include "runstore/append_file.h"
@@ -29,24 +28,18 @@ Description with_answer(const Description& description, const SeekDescription& w
 /// The statics of the model that is written; what is told is what they say.
 void solve_answer(SeekRun& run, const std::optional<StaticSolution>& start) {
   Model model = build_model(run.answer);
-  run.statics = solve_model(model, start ? &*start : nullptr);
+  run.statics = run_statics(model, start ? &*start : nullptr);
   if (run.statics.failure) {
     run.results.found = false;
     run.results.why = "the model with the answer put in has no equilibrium: " + failure_line(*run.statics.failure);
     return;
   }
-  tell_hull(model, run.statics);
+  tell_hull(model, *run.statics.results);
 }
 
 void write_statics(const SeekRun& run, const fs::path& folder) {
-  const std::string& text = run.answer.source_text;
-  if (run.statics.lay) {
-    write_static_files(*run.statics.lay, run.answer, folder);
-    write_report(*run.statics.lay, text, folder / "report.html", {.seek = &run.results});
-  } else {
-    write_mooring_files(*run.statics.moorings, run.answer, folder);
-    write_report(*run.statics.moorings, text, folder / "report.html");
-  }
+  write_static_files(*run.statics.results, run.answer, folder);
+  write_report(*run.statics.results, run.answer.source_text, folder / "report.html", {.seek = &run.results});
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace overbend {
 /// A search, and where it has an answer the whole statics there.
 struct SeekRun {
   SeekResults results;
-  Description answer;    ///< The model with the values put in.
-  ModelStatics statics;  ///< Of that model; empty without an answer.
+  Description answer;  ///< The model with the values put in.
+  StaticRun statics;   ///< Of that model; empty without an answer.
 };
 
 /// Searches, then solves the model with the answer in it as any other. Throws as seek().

@@ -123,7 +123,7 @@ LayCase LayCases::solve(const Description& description, double tension, double d
   Model model = build_model(description);
   // From nothing, though a row beside it would be closer: across a current a lay may have several equilibria, which
   // differ in the side rollers that bear, and a row would hang on those before it.
-  const LayOutcome outcome = solve_lay(model);
+  const ModelEquilibrium outcome = solve_lay(model);
   ++solves_;
   if (!outcome.solution) {
     found.reason = outcome.failure->what;
@@ -157,10 +157,10 @@ LayCase LayCases::at(double tension, double depth) {
 LayCase LayCases::beside(double tension, double depth, std::shared_ptr<const LayStart>& last) {
   Model model = build_model(described(tension, depth));
   std::shared_ptr<const LayStart> found;
-  const ModelStatics statics = solve_beside(model, {last.get()}, &found);
+  const StaticRun statics = solve_beside(model, {last.get()}, &found);
   ++solves_;
   if (found) last = std::move(found);
-  return statics.lay ? told(tension, depth, *statics.lay) : LayCase{tension, depth, {}, statics.failure->what};
+  return statics.results ? told(tension, depth, *statics.results) : LayCase{tension, depth, {}, statics.failure->what};
 }
 
 /// Tensions with touchdown on either side of the lay-back, from what is known and outwards; without a lay where it ends

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "study/run/model_statics.h"
+#include "study/run/static_run.h"
 
 namespace overbend {
 
@@ -22,7 +22,7 @@ bool pushed_sideways(const Model& model);
 /// A lay that something pushes sideways may have several equilibria, which differ in the side rollers that bear: it is
 /// solved from nothing, so that it is the one that statics by themselves find, and from another lay only where that
 /// fails, which a warning says. `found`, where given, becomes what the next may start from; null without a lay.
-ModelStatics solve_beside(Model& model, const std::vector<const LayStart*>& starts,
-                          std::shared_ptr<const LayStart>* found = nullptr);
+StaticRun solve_beside(Model& model, const std::vector<const LayStart*>& starts,
+                       std::shared_ptr<const LayStart>* found = nullptr);
 
 }  // namespace overbend

@@ -33,7 +33,7 @@ struct Verdict {
 
 Verdict judge(const Description& description) {
   Model model = build_model(description);
-  const LayOutcome outcome = solve_lay(model);
+  const ModelEquilibrium outcome = solve_lay(model);
   Verdict verdict;
   if (!outcome.solution) {
     verdict.no_solution = outcome.failure->what;

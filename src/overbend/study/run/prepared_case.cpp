@@ -51,26 +51,27 @@ std::vector<std::string> named_files(const Description& d) {
   return files;
 }
 
-StaticResults of_hull(const Model& model, MooringResults rest) {
-  tell_hull(model, rest);
-  if (rest.operation == "moored" && !rest.stages.empty()) {
-    rest.findings.push_back(
+/// What the run in time does otherwise than statics of a hull alone lead one to think.
+void note_hull_in_time(const Description& description, StaticResults& statics) {
+  if (statics.moorings->operation == "moored" && !statics.moorings->stages.empty()) {
+    statics.findings.push_back(
         {FindingCode::stages_at_rest,
          "the stages of the operation are states at rest: the run in time starts from the rest before them"});
   }
-  if (hull_is_free(model.description) && model.description.vessel.motion != VesselMotion::coupled) {
-    rest.findings.push_back(
+  if (hull_is_free(description) && description.vessel.motion != VesselMotion::coupled) {
+    statics.findings.push_back(
         {FindingCode::vessel_moves_as_prescribed,
          "in time the vessel moves as vessel.motion says, from where it lies at rest, and not as its lines pull: "
          "vessel.hydrostatics serve statics alone, vessel.motion.coupled is a hull that floats free"});
   }
-  return of_hull_alone(std::move(rest));
 }
 
-StaticResults of_lay(const Model& model, const LayOutcome& outcome) {
-  StaticResults statics = checked_statics(model, outcome);
-  note_history_effect(model, *outcome.solution, statics);
+StaticResults statics_before_run(const Model& model, const ModelEquilibrium& equilibrium) {
+  StaticResults statics = checked_statics(model, equilibrium);
+  const bool pipe = equilibrium.solution->has_pipe();
+  if (pipe) note_history_effect(model, *equilibrium.solution, statics);
   tell_hull(model, statics);
+  if (!pipe && statics.moorings) note_hull_in_time(model.description, statics);
   return statics;
 }
 
@@ -126,15 +127,11 @@ std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Des
   if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) {
     return failed_end(*obstacle, description);
   }
-  if (!description.has_pipe && !controllers.empty()) {
-    return RunEnd{RunEnding::wrong_input,
-                  "controllers from outside need a pipe: a hull on its moorings alone has none"};
-  }
-  LayOutcome outcome = description.has_pipe ? solve_lay(model) : solve_moored_hull(model);
-  if (outcome.failure) return failed_end(*outcome.failure, description);
-  StaticResults statics = description.has_pipe ? of_lay(model, outcome) : of_hull(model, std::move(*outcome.moorings));
+  ModelEquilibrium equilibrium = solve_equilibrium(model);
+  if (equilibrium.failure) return failed_end(*equilibrium.failure, description);
+  StaticResults statics = statics_before_run(model, equilibrium);
   const auto prepared = std::make_shared<PreparedCase>(PreparedCase{
-      description, std::move(model), std::move(*outcome.solution), std::move(statics), input_text(description)});
+      description, std::move(model), std::move(*equilibrium.solution), std::move(statics), input_text(description)});
   use_controllers(*prepared, controllers);
   return prepared;
 }

@@ -65,6 +65,7 @@ void warn_of_short_run(DynamicResults& results) {
 }
 
 void warn_of_still_vessel(DynamicResults& results) {
+  if (results.station_s.empty() && results.moorings.empty()) return;  // lines may have no vessel at all
   if (deviation(results, "elevation") <= kStandsStill) return;
   for (const char* freedom : {"surge", "sway", "heave", "roll", "pitch", "yaw"}) {
     if (deviation(results, freedom) > kStandsStill) return;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "base/constants.h"
 #include "numerics/log_weibull.h"
@@ -13,7 +15,7 @@ namespace {
 /// What is gathered of a run, and how it is found there.
 struct Rule {
   SeedQuantity quantity;
-  double (*value)(const DynamicResults&);
+  std::function<double(const DynamicResults&)> value;
 };
 
 double largest_reaction(const DynamicResults& r) {
@@ -58,8 +60,8 @@ double fatigue_on_the_way(const DynamicResults& r) {
 
 using Rules = std::vector<Rule>;
 
-void add(Rules& list, const SeedQuantity& quantity, double (*value)(const DynamicResults&)) {
-  list.push_back({quantity, value});
+void add(Rules& list, SeedQuantity quantity, std::function<double(const DynamicResults&)> value) {
+  list.push_back({std::move(quantity), std::move(value)});
 }
 
 constexpr SeedExtreme kLargest = SeedExtreme::largest, kSmallest = SeedExtreme::smallest, kNone = SeedExtreme::none;
@@ -117,11 +119,31 @@ void add_moorings(Rules& list) {
       largest_mooring_utilisation);
 }
 
+/// Of a line that stands by itself, the `i`-th of them.
+void add_line(Rules& list, const std::string& name, std::size_t i) {
+  const auto put = [&](const char* what, const char* meaning, SeedExtreme extreme, auto value) {
+    add(list, {name + "/" + what, "N", meaning + (" of line " + name), extreme},
+        [i, value](const DynamicResults& r) { return value(r.lines.at(i)); });
+  };
+  using Line = LineDynamics;
+  put("first_tension_max", "Largest tension at the first end", kLargest,
+      [](const Line& line) { return line.first_tension.max; });
+  put("first_tension_min", "Smallest tension at the first end", kSmallest,
+      [](const Line& line) { return line.first_tension.min; });
+  put("second_tension_max", "Largest tension at the second end", kLargest,
+      [](const Line& line) { return line.second_tension.max; });
+  put("second_tension_min", "Smallest tension at the second end", kSmallest,
+      [](const Line& line) { return line.second_tension.min; });
+  put("least_tension", "Smallest tension along the line", kSmallest,
+      [](const Line& line) { return line.least_tension; });
+}
+
 Rules rules(const StaticResults& statics, bool fatigue) {
   Rules list;
   if (statics.has_pipe()) add_pipe(list, statics);
   if (statics.moorings || statics.hull) add_vessel(list);
   if (statics.moorings) add_moorings(list);
+  for (std::size_t i = 0; i < statics.lines.size(); ++i) add_line(list, statics.lines[i].name, i);
   if (statics.has_pipe()) {
     add(list, {"worst_check_utilisation", "1", "Largest utilisation of a governing code check", kLargest},
         worst_utilisation);

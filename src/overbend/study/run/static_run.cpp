@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "base/version.h"
 #include "checks/run_checks.h"
 #include "report/report.h"
 #include "resultfiles/static/results_writer.h"
@@ -16,68 +17,70 @@
 
 namespace overbend {
 
-StaticResults unjudged_statics(const Model& model, const LayOutcome& lay) {
-  StaticResults results = recover_in_current(model, *lay.solution);
-  if (lay.moorings) {
-    results.findings = merge(std::move(results.findings), lay.moorings->findings);
-    results.assumptions = merge(std::move(results.assumptions), lay.moorings->assumptions);
+StaticResults unjudged_statics(const Model& model, const ModelEquilibrium& equilibrium) {
+  StaticResults results;
+  if (equilibrium.solution->has_pipe()) {
+    results = recover_in_current(model, *equilibrium.solution);
+  } else {
+    results.title = model.description.title;
+    results.version = kVersion;
+  }
+  results.findings = merge(std::move(results.findings), equilibrium.findings);
+  results.assumptions = merge(std::move(results.assumptions), equilibrium.assumptions);
+  if (equilibrium.moorings && equilibrium.solution->has_pipe()) {
     if (std::optional<Finding> finding = find_side_roller_contact(model.description, results)) {
       results.findings.push_back(std::move(*finding));
     }
-    results.moorings = lay.moorings;
   }
+  results.moorings = equilibrium.moorings;
+  results.lines = equilibrium.lines;
   return results;
 }
 
 void judge_statics(const Model& model, const StaticSolution& solution, StaticResults& results,
                    std::optional<StaticSolution>& still) {
-  find_current_effect(model, solution, results, still);
+  if (solution.has_pipe()) find_current_effect(model, solution, results, still);
   fill_checks(model, results);
   accept(results.findings, model.description.checks.accepted_findings);
 }
 
-StaticResults checked_statics(const Model& model, const LayOutcome& lay) {
-  StaticResults results = unjudged_statics(model, lay);
+StaticResults checked_statics(const Model& model, const ModelEquilibrium& equilibrium) {
+  StaticResults results = unjudged_statics(model, equilibrium);
   std::optional<StaticSolution> still;
-  judge_statics(model, *lay.solution, results, still);
+  judge_statics(model, *equilibrium.solution, results, still);
   return results;
 }
 
-void tell_friction(Model model, const LayOutcome& lay, StaticResults& results) {
-  model.mean_pose = lay.solution->pose;
-  find_friction_cases(model, *lay.solution, results);
-  note_history_effect(model, *lay.solution, results);
+StaticRun run_statics(Model& model, const StaticSolution* start) {
+  StaticRun run;
+  ModelEquilibrium equilibrium = solve_equilibrium(model, start);
+  run.failure = std::move(equilibrium.failure);
+  if (run.failure) return run;
+  run.results = checked_statics(model, equilibrium);
+  run.solution = std::move(equilibrium.solution);
+  return run;
+}
+
+void tell_friction(Model model, const StaticSolution& solution, StaticResults& results) {
+  if (!solution.has_pipe()) return;
+  model.mean_pose = solution.pose;
+  find_friction_cases(model, solution, results);
+  note_history_effect(model, solution, results);
   accept(results.findings, model.description.checks.accepted_findings);
 }
-
-namespace {
-
-/// Its results, where the hull has any; what it warns of and assumes goes to `into`.
-template <class Results>
-std::optional<HullResults> told_hull(const Model& model, const MooredState* rest, Results& into) {
-  try {
-    std::optional<HullAccount> account = hull_account(model, rest);
-    if (!account) return std::nullopt;
-    into.findings = merge(std::move(into.findings), account->findings);
-    into.assumptions = merge(std::move(into.assumptions), account->assumptions);
-    return std::move(account->results);
-  } catch (const std::invalid_argument& fault) {  // statics stand without it; a run in time will be refused
-    into.findings.push_back({FindingCode::hull_not_evaluated,
-                             std::string("radiation and damping of the hull are not evaluated: ") + fault.what()});
-    return std::nullopt;
-  }
-}
-
-}  // namespace
 
 void tell_hull(const Model& model, StaticResults& results) {
-  results.hull = told_hull(model, results.moorings ? &results.moorings->rest : nullptr, results);
-  accept(results.findings, model.description.checks.accepted_findings);
-}
-
-void tell_hull(const Model& model, MooringResults& results) {
-  fill_checks(model, results);
-  results.hull = told_hull(model, &results.rest, results);
+  try {
+    if (std::optional<HullAccount> account =
+            hull_account(model, results.moorings ? &results.moorings->rest : nullptr)) {
+      results.findings = merge(std::move(results.findings), account->findings);
+      results.assumptions = merge(std::move(results.assumptions), account->assumptions);
+      results.hull = std::move(account->results);
+    }
+  } catch (const std::invalid_argument& fault) {  // statics stand without it; a run in time will be refused
+    results.findings.push_back({FindingCode::hull_not_evaluated,
+                                std::string("radiation and damping of the hull are not evaluated: ") + fault.what()});
+  }
   accept(results.findings, model.description.checks.accepted_findings);
 }
 

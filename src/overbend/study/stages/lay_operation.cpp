@@ -5,6 +5,9 @@
 
 #include "base/version.h"
 #include "model/lay_stage.h"
+#include "report/stages/operation_report.h"
+#include "resultfiles/stages/operation_writer.h"
+#include "runstore/staged_folder.h"
 #include "statics/solver/static_obstacle.h"
 #include "study/stages/stage_tension.h"
 
@@ -74,6 +77,14 @@ std::optional<StaticFailure> operation_obstacle(const Description& description) 
     if (auto obstacle = static_obstacle(at_stage(description, stage))) return obstacle;
   }
   return std::nullopt;
+}
+
+void write_operation_run(const OperationResults& results, const Description& description,
+                         const std::filesystem::path& folder) {
+  StagedFolder staged(folder);
+  write_operation_files(results, description, staged.path());
+  write_operation_report(results, description.source_text, staged.path() / "report.html");
+  staged.commit("summary.json");
 }
 
 }  // namespace overbend

@@ -41,7 +41,7 @@ StageSolver::StageSolver(const Description& description) : description_(descript
 StageSolver::Tried StageSolver::solve_at(LayStageDescription stage, std::optional<double> tension) {
   if (tension) stage.tension = tension;
   Model model = build_model(at_stage(description_, stage));
-  LayOutcome outcome = solve_lay(model, last_ ? &*last_ : nullptr, past_of(stage));
+  ModelEquilibrium outcome = solve_lay(model, last_ ? &*last_ : nullptr, past_of(stage));
   if (!outcome.solution) return {std::nullopt, std::move(outcome.failure)};
   Tried tried{checked_statics(model, outcome), std::nullopt};
   last_ = std::move(outcome.solution);
@@ -60,7 +60,7 @@ LinePast StageSolver::past_of(const LayStageDescription& stage) {
     Model model = build_model(description_);
     yields_ = std::any_of(model.sections.begin(), model.sections.end(), [](const Section& s) { return s.bending; });
     if (*yields_ && !stage.pipe_out) {
-      LayOutcome lay = solve_lay(model);
+      ModelEquilibrium lay = solve_lay(model);
       if (lay.solution) before_ = std::make_shared<const StaticSolution>(std::move(*lay.solution));
     }
   }

@@ -1,17 +1,12 @@
-#include "resultfiles/moored/mooring_writer.h"
+#include "resultfiles/moored/mooring_tables.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "resultfiles/hdf5/hdf5_file.h"
-#include "resultfiles/hdf5/hdf5_visitors.h"
-#include "resultfiles/moored/mooring_hdf5.h"
-#include "resultfiles/moored/move_table.h"
 #include "resultfiles/tables/csv_fields.h"
 #include "resultfiles/tables/finite_visitor.h"
 #include "results/fields/moored_fields.h"
 #include "results/fields/mooring_fields.h"
-#include "runstore/append_file.h"
 
 namespace overbend {
 namespace {
@@ -36,12 +31,6 @@ void visit_table_row(const std::string& state, const MooringLineResult& line, Vi
       line.anchor_utilisation.value_or(kNone));
   visit(ResultField{"clearance", "m", "Least distance to the objects on the bed"}.csv("clearance"),
         line.clearance.value_or(kNone));
-}
-
-void write_hdf5(const MooringResults& results, const Description& description, const std::filesystem::path& path) {
-  Hdf5Writer file(path);
-  write_mooring_groups(file, results, description);
-  file.close();
 }
 
 /// Of a dynamic analysis.
@@ -82,7 +71,6 @@ void require_finite(const HullResults& hull) {
 }
 
 void require_finite(const MooringResults& results) {
-  if (results.hull) require_finite(*results.hull);
   for (const MooredState* state : states_of(results)) {
     FiniteVisitor visit{state->name + ".vessel."};
     visit_vessel_offset(state->vessel, visit);
@@ -114,15 +102,6 @@ std::string moorings_table(const MooringResults& results, const std::vector<Moor
     }
   }
   return table.text();
-}
-
-void write_mooring_files(const MooringResults& results, const Description& description,
-                         const std::filesystem::path& folder) {
-  require_finite(results);
-  write_hdf5(results, description, folder / "results.h5");
-  write_text(folder / "moorings.csv", moorings_table(results));
-  if (!results.steps.empty()) write_text(folder / "pull_ahead.csv", move_table(results));
-  write_text(folder / "summary.json", mooring_summary(results));
 }
 
 }  // namespace overbend

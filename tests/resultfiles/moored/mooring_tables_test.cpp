@@ -1,4 +1,4 @@
-#include "resultfiles/moored/mooring_writer.h"
+#include "resultfiles/moored/mooring_tables.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include "resultfiles/moored/moored_dynamics_hdf5.h"
 #include "resultfiles/moored/move_table.h"
 #include "resultfiles/static/results_reader.h"
+#include "resultfiles/static/results_writer.h"
 #include "resultfiles/summary/summary_json.h"
 #include "support/solved_case.h"
 
@@ -16,8 +17,6 @@ namespace {
 
 MooringResults two_states() {
   MooringResults results;
-  results.title = "barge";
-  results.version = "1";
   MooringLineResult line;
   line.name = "bow, port";
   line.length = 1000.0;
@@ -40,8 +39,16 @@ MooringResults two_states() {
   return results;
 }
 
-TEST(mooring_writer, the_summary_tells_where_hull_and_lines_are) {
-  const Json summary = read_json(mooring_summary(two_states()));
+StaticResults hull_alone(MooringResults moorings) {
+  StaticResults results;
+  results.title = "barge";
+  results.version = "1";
+  results.moorings = std::move(moorings);
+  return results;
+}
+
+TEST(mooring_files, the_summary_tells_where_hull_and_lines_are) {
+  const Json summary = static_summary_json(hull_alone(two_states()));
   const Json& rest = summary["static"];
   EXPECT_EQ(rest["vessel"]["surge"], 1.5);
   EXPECT_EQ(rest["vessel"]["natural_periods"][0]["mode"], "surge");
@@ -55,26 +62,26 @@ TEST(mooring_writer, the_summary_tells_where_hull_and_lines_are) {
   EXPECT_TRUE(rest["moorings"][0]["clearance"].is_null());
 }
 
-TEST(mooring_writer, the_summary_tells_what_the_winches_do) {
-  const Json operation = read_json(mooring_summary(two_states()))["operation"];
+TEST(mooring_files, the_summary_tells_what_the_winches_do) {
+  const Json operation = static_summary_json(hull_alone(two_states()))["operation"];
   EXPECT_EQ(operation["type"], "pull_ahead");
   EXPECT_EQ(operation["stages"][0]["name"], "pulled ahead");
   EXPECT_EQ(operation["stages"][0]["winch_lengths"]["bow, port"], 750.0);
   EXPECT_EQ(operation["pull_ahead"]["lines"][0]["winch"], -11.0);
 }
 
-TEST(mooring_writer, the_table_has_a_row_per_state_and_line) {
+TEST(mooring_files, the_table_has_a_row_per_state_and_line) {
   const std::string table = moorings_table(two_states());
   EXPECT_NE(table.find("state,line,length [m]"), std::string::npos) << table;
   EXPECT_NE(table.find("static,\"bow, port\",1000,750,300"), std::string::npos) << table;
   EXPECT_NE(table.find("pulled ahead,\"bow, port\""), std::string::npos);
 }
 
-TEST(mooring_writer, refuses_what_is_no_number) {
+TEST(mooring_files, refuses_what_is_no_number) {
   MooringResults results = two_states();
   results.rest.moorings[0].horizontal = std::numeric_limits<double>::quiet_NaN();
   try {
-    write_mooring_files(results, {}, "/nowhere");
+    write_static_files(hull_alone(results), {}, "/nowhere");
     FAIL() << "a number that is none was written";
   } catch (const std::runtime_error& fault) {
     EXPECT_NE(std::string(fault.what()).find("static.moorings.bow, port.horizontal"), std::string::npos)
@@ -95,11 +102,12 @@ HullResults hull() {
   return hull;
 }
 
-TEST(mooring_writer, results_h5_gives_back_what_was_written) {
+TEST(mooring_files, results_h5_gives_back_what_was_written) {
   const testing::TemporaryFolder folder;
-  MooringResults results = two_states();
-  results.hull = hull();
-  results.findings = {{FindingCode::unknown, "look at this"}};
+  StaticResults statics = hull_alone(two_states());
+  statics.hull = hull();
+  statics.findings = {{FindingCode::unknown, "look at this"}};
+  MooringResults& results = *statics.moorings;
   results.rest.moorings[0].clearance = 12.5;
   results.rest.moorings[0].nearest_object = "pipeline";
   results.rest.moorings[0].shape_W = {Vec3(57.0, 15.0, 3.0), Vec3(500.0, 200.0, -80.0), Vec3(963.0, 438.0, -89.0)};
@@ -115,24 +123,26 @@ TEST(mooring_writer, results_h5_gives_back_what_was_written) {
   results.anchors = {{17, "bow, port", "its length", Vec3(1.0, 2.0, -89.0), Vec3(3.0, 4.0, -89.0), 980.0}};
   Description description;
   description.source_text = "title: barge\n";
-  write_mooring_files(results, description, folder.path());
-  const StoredMoorings stored = read_mooring_results(folder.path() / "results.h5");
-  EXPECT_EQ(stored.model_text, "title: barge\n");
-  EXPECT_EQ(mooring_summary(stored.results), mooring_summary(results));
-  EXPECT_EQ(moorings_table(stored.results), moorings_table(results));
-  EXPECT_EQ(stored.results.rest.moorings[0].shape_W, results.rest.moorings[0].shape_W);
-  EXPECT_TRUE(stored.results.stages[0].mooring_stiffness.empty());
-  EXPECT_EQ(move_table(stored.results), move_table(results));
-  EXPECT_EQ(stored.results.steps[1].pipe.value().largest_reaction_support, "stinger 3");
-  EXPECT_EQ(stored.results.anchors.at(0).joint, 17);
-  EXPECT_EQ(stored.results.anchors[0].to_W, results.anchors[0].to_W);
-  EXPECT_EQ(stored.results.stages[0].mooring_force, results.stages[0].mooring_force);
+  write_static_files(statics, description, folder.path());
+  const StoredStatics read = read_static_results(folder.path() / "results.h5");
+  const MooringResults& stored = read.results.moorings.value();
+  EXPECT_EQ(read.model_text, "title: barge\n");
+  EXPECT_FALSE(read.results.has_pipe());
+  EXPECT_EQ(static_summary(read.results), static_summary(statics));
+  EXPECT_EQ(moorings_table(stored), moorings_table(results));
+  EXPECT_EQ(stored.rest.moorings[0].shape_W, results.rest.moorings[0].shape_W);
+  EXPECT_TRUE(stored.stages[0].mooring_stiffness.empty());
+  EXPECT_EQ(move_table(stored), move_table(results));
+  EXPECT_EQ(stored.steps[1].pipe.value().largest_reaction_support, "stinger 3");
+  EXPECT_EQ(stored.anchors.at(0).joint, 17);
+  EXPECT_EQ(stored.anchors[0].to_W, results.anchors[0].to_W);
+  EXPECT_EQ(stored.stages[0].mooring_force, results.stages[0].mooring_force);
 }
 
-TEST(mooring_writer, the_summary_tells_what_damps_the_hull) {
-  MooringResults results = two_states();
+TEST(mooring_files, the_summary_tells_what_damps_the_hull) {
+  StaticResults results = hull_alone(two_states());
   results.hull = hull();
-  const Json told = read_json(mooring_summary(results))["static"]["hull"];
+  const Json told = static_summary_json(results)["static"]["hull"];
   EXPECT_EQ(told["damping"][0]["mode"], "sway");
   EXPECT_EQ(told["damping"][0]["drift"], 0.032);
   EXPECT_EQ(told["radiation"][0]["added_mass_error"], 0.0075);
@@ -141,7 +151,7 @@ TEST(mooring_writer, the_summary_tells_what_damps_the_hull) {
   EXPECT_EQ(told["current_range"]["most"], 398e3);
 }
 
-TEST(mooring_writer, the_table_of_a_dynamic_analysis_has_its_tensions_beside_the_rest) {
+TEST(mooring_files, the_table_of_a_dynamic_analysis_has_its_tensions_beside_the_rest) {
   MooringLineDynamics line;
   line.name = "bow, port";
   line.fairlead_tension.whole = {2e5, 5e5, 3.1e5, 4e4};
@@ -152,7 +162,7 @@ TEST(mooring_writer, the_table_of_a_dynamic_analysis_has_its_tensions_beside_the
   EXPECT_NE(table.find("pulled ahead"), std::string::npos);
 }
 
-TEST(mooring_writer, moored_dynamics_come_back_from_results_h5) {
+TEST(mooring_files, moored_dynamics_come_back_from_results_h5) {
   const testing::TemporaryFolder folder;
   DynamicResults results;
   results.vessel.emplace();

@@ -1,0 +1,46 @@
+#include "app/free_lines.h"
+
+#include <fmt/format.h>
+
+#include "base/shown_unit.h"
+
+namespace overbend {
+namespace {
+
+std::string end_line(const char* name, const LineEndResult& end, const Spread* in_time) {
+  std::string text = fmt::format("    {:<26}{:>12} {}", name, shown_number(end.tension, "N", 2), shown_name("N"));
+  if (in_time != nullptr) {
+    text += fmt::format(", {} to {}", shown_number(in_time->min, "N", 2), shown(in_time->max, "N", 2));
+  }
+  return text + "\n";
+}
+
+/// `in_time`: null without a run.
+std::string line_text(const LineResult& line, const LineDynamics* in_time) {
+  std::string text = fmt::format("  {}: {}, {} elements, {} on the bed\n", line.name, shown(line.length, "m", 2),
+                                 line.elements, shown(line.on_bed, "m", 1));
+  text += end_line("first end", line.first, in_time != nullptr ? &in_time->first_tension : nullptr);
+  text += end_line("second end", line.second, in_time != nullptr ? &in_time->second_tension : nullptr);
+  if (!line.utilisation) return text;
+  text += fmt::format("    {:<26}{:>12.3f}", "of the breaking load", *line.utilisation);
+  if (in_time != nullptr) {
+    text += fmt::format(" at rest, {:.3f} at most", in_time->utilisation.value_or(*line.utilisation));
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string lines_at_rest(const std::vector<LineResult>& lines) {
+  std::string text;
+  for (const LineResult& line : lines) text += line_text(line, nullptr);
+  return text;
+}
+
+std::string lines_in_time(const std::vector<LineResult>& lines, const std::vector<LineDynamics>& in_time) {
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i) text += line_text(lines[i], &in_time.at(i));
+  return text;
+}
+
+}  // namespace overbend

@@ -1,0 +1,176 @@
+#include "resultfiles/lines/lines_files.h"
+
+#include "resultfiles/hdf5/hdf5_readers.h"
+#include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/summary/json_fields.h"
+#include "resultfiles/summary/summary_fields.h"
+#include "resultfiles/summary/summary_json.h"
+#include "resultfiles/tables/csv_fields.h"
+#include "resultfiles/tables/finite_visitor.h"
+#include "results/fields/line_values.h"
+
+namespace overbend {
+namespace {
+
+std::string group_of(const char* front, std::size_t line) {
+  return std::string(front) + "/" + std::to_string(line);
+}
+
+/// Calls `each` for both ends with their names in files.
+template <class Line, class Each>
+void for_ends(Line& line, Each each) {
+  each("first", line.first);
+  each("second", line.second);
+}
+
+/// Calls `each` for what is kept of every node.
+template <class Line, class Each>
+void for_nodes_in_time(Line& line, Each each) {
+  each(ResultField{"least_at_nodes", "N", "Least tension over time, at the nodes"}, line.least_at_nodes);
+  each(ResultField{"largest_at_nodes", "N", "Largest tension over time, at the nodes"}, line.largest_at_nodes);
+}
+
+}  // namespace
+
+void write_lines(DatasetSink& file, const std::vector<LineResult>& lines) {
+  if (lines.empty()) return;
+  file.group("/lines", "Lines between two ends, by their number in the model, from 0");
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const LineResult& line = lines[i];
+    const std::string group = group_of("/lines", i);
+    file.group(group, "Line " + line.name);
+    ValueWriter values{file, group};
+    visit_line(line, values);
+    for_ends(line, [&](const std::string& name, const LineEndResult& end) {
+      file.group(group + "/" + name, "End of the line");
+      ValueWriter of_end{file, group + "/" + name};
+      visit_line_end(end, of_end);
+    });
+    TableWriter nodes;
+    for (const LineNodeResult& node : line.nodes) {
+      visit_line_node(node, nodes);
+      nodes.end_row();
+    }
+    nodes.write(file, group + "/nodes", "Nodes from the first end");
+  }
+}
+
+std::vector<LineResult> read_lines(const Hdf5Reader& file) {
+  std::vector<LineResult> lines;
+  for (std::size_t i = 0; file.has(group_of("/lines", i)); ++i) {
+    const std::string group = group_of("/lines", i);
+    LineResult& line = lines.emplace_back();
+    ValueReader values{file, group};
+    visit_line(line, values);
+    for_ends(line, [&](const std::string& name, LineEndResult& end) {
+      ValueReader of_end{file, group + "/" + name};
+      visit_line_end(end, of_end);
+    });
+    TableReader nodes(file, group + "/nodes");
+    line.nodes.resize(nodes.rows("s"));
+    for (std::size_t node = 0; node < line.nodes.size(); ++node) {
+      nodes.start_row(node);
+      visit_line_node(line.nodes[node], nodes);
+    }
+  }
+  return lines;
+}
+
+void write_lines_in_time(DatasetSink& file, const std::vector<LineDynamics>& lines) {
+  if (lines.empty()) return;
+  file.group("/dynamic/lines", "Lines over time, by their number in the model, from 0");
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string group = group_of("/dynamic/lines", i);
+    file.group(group, "Line " + lines[i].name);
+    ValueWriter values{file, group};
+    visit_line_in_time(lines[i], values);
+    for_nodes_in_time(lines[i], [&](const ResultField& field, const std::vector<double>& tensions) {
+      file.write(group + "/" + field.name, field, tensions, {tensions.size()});
+    });
+  }
+}
+
+std::vector<LineDynamics> read_lines_in_time(const Hdf5Reader& file) {
+  std::vector<LineDynamics> lines;
+  for (std::size_t i = 0; file.has(group_of("/dynamic/lines", i)); ++i) {
+    const std::string group = group_of("/dynamic/lines", i);
+    ValueReader values{file, group};
+    visit_line_in_time(lines.emplace_back(), values);
+    for_nodes_in_time(lines.back(), [&](const ResultField& field, std::vector<double>& tensions) {
+      tensions = file.doubles(group + "/" + field.name);
+    });
+  }
+  return lines;
+}
+
+void link_line_histories(Hdf5Writer& file, const std::vector<LineDynamics>& lines) {
+  if (lines.empty()) return;
+  file.link("/lines/time", "/dynamic/histories/time");
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const char* end : {"first_tension", "second_tension"}) {
+      file.link(group_of("/lines", i) + "/" + end,
+                "/dynamic/histories/" + dataset_path("line/" + lines[i].name + "/" + end));
+    }
+  }
+}
+
+void add_lines(const StaticResults& results, Json& summary) {
+  if (results.lines.empty()) return;
+  const SummaryStyle style;
+  summary["static"]["lines"] = style.rows(results.lines, [&](const LineResult& line) {
+    JsonWriter json(style);
+    visit_line(line, json);
+    for_ends(line, [&](const char* name, const LineEndResult& end) {
+      json[name] = object_of(style, [&](auto& one) { visit_line_end(end, one); });
+    });
+    return json.take();
+  });
+}
+
+void add_lines_in_time(const DynamicResults& results, Json& summary) {
+  if (results.lines.empty()) return;
+  const SummaryStyle style;
+  summary["dynamic"]["lines"] = style.rows(results.lines, [&](const LineDynamics& line) {
+    return object_of(style, [&](auto& one) { visit_line_in_time(line, one); });
+  });
+}
+
+std::string lines_table(const std::vector<LineResult>& lines, const std::vector<LineDynamics>& in_time) {
+  const ResultField name{"name", "1", "Name of the line"};
+  CsvHead head;
+  head(ResultField(name).csv("line"), std::string());
+  const LineNodeResult example;
+  visit_line_node(example, head);
+  visit_line_node_in_time(0.0, 0.0, head);
+  CsvTable table(head.names);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t node = 0; node < lines[i].nodes.size(); ++node) {
+      const LineNodeResult& rest = lines[i].nodes[node];
+      CsvCells cells{table};
+      cells(ResultField(name).csv("line"), lines[i].name);
+      visit_line_node(rest, cells);
+      visit_line_node_in_time(in_time.empty() ? rest.tension : in_time[i].least_at_nodes[node],
+                              in_time.empty() ? rest.tension : in_time[i].largest_at_nodes[node], cells);
+      table.end_row();
+    }
+  }
+  return table.text();
+}
+
+void require_finite(const std::vector<LineResult>& lines) {
+  for (const LineResult& line : lines) {
+    FiniteVisitor visit{"lines." + line.name + "."};
+    visit_line(line, visit);
+    for_ends(line, [&](const char*, const LineEndResult& end) { visit_line_end(end, visit); });
+    for (const LineNodeResult& node : line.nodes) visit_line_node(node, visit);
+  }
+}
+
+void require_finite(const std::vector<LineDynamics>& lines) {
+  for (const LineDynamics& line : lines) {
+    FiniteVisitor visit{"dynamic.lines." + line.name + "."};
+    visit_line_in_time(line, visit);
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,64 @@
+/// Which statics a model has, and those of lines by themselves.
+#include <algorithm>
+
+#include "model/model_findings.h"
+#include "model/vessel/station.h"
+#include "statics/moored/moored_lay.h"
+#include "statics/recovery/lines_recovery.h"
+#include "statics/solver/lines_setup.h"
+
+namespace overbend {
+namespace {
+
+/// A vessel that floats free moves by what the lines do to it, which is not computed here.
+std::optional<StaticFailure> lines_obstacle(const Description& description) {
+  if (has_mooring_lines(description)) {
+    return StaticFailure{"lines on a vessel on mooring lines cannot be solved yet", "",
+                         "give lines and moorings in models of their own", true, "lines"};
+  }
+  const VesselDescription& vessel = description.vessel;
+  if (!vessel.coupled && !vessel.hydrostatics && vessel.motion != VesselMotion::coupled) return std::nullopt;
+  return StaticFailure{"lines on a hull that floats free cannot be solved by themselves yet", "",
+                       "give them under moorings, or another vessel.motion than coupled without vessel.hydrostatics",
+                       true};
+}
+
+StaticFailure unbalanced(const Model& model, const LinesRest& rest) {
+  const auto worst = std::ranges::find_if(rest.lines, [](const auto& line) { return !line.converged(); });
+  const std::string name = model.description.lines[static_cast<std::size_t>(worst - rest.lines.begin())].name;
+  return {"no equilibrium was found", "line \"" + name + "\"",
+          "its forces do not balance; a longer line or a finer `element` may help"};
+}
+
+}  // namespace
+
+ModelEquilibrium solve_lines(const Model& model) {
+  ModelEquilibrium found;
+  found.failure = lines_obstacle(model.description);
+  if (found.failure) return found;
+  auto lines = std::make_shared<LinesAtRest>(LinesAtRest{lines_setup(model), {}, {}});
+  lines->state = start_of(lines->setup, 0.0);
+  Assembly assembly(lines->setup.system);
+  lines->rest = rest_lines(assembly, lines->state);
+  if (!lines->rest.converged()) {
+    found.failure = unbalanced(model, lines->rest);
+    return found;
+  }
+  found.assumptions = line_assumptions(model);
+  found.findings = model_findings(model);
+  found.lines = recover_lines(model, assembly, *lines, found.findings);
+  found.solution.emplace();
+  found.solution->pose = model.mean_pose;
+  found.solution->lines = std::move(lines);
+  return found;
+}
+
+ModelEquilibrium solve_equilibrium(Model& model, const StaticSolution* start, const LinePast& past) {
+  const Description& d = model.description;
+  if (d.has_pipe) return solve_lay(model, start, past);
+  if (!d.lines.empty()) return solve_lines(model);
+  if (has_station(d)) return solve_moored_hull(model);
+  return solve_lay(model, start, past);  // refuses a model without anything
+}
+
+}  // namespace overbend
