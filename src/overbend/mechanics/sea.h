@@ -14,7 +14,7 @@
 #include "mechanics/stokes_wave.h"
 #include "mechanics/wave_kernel.h"
 #include "mechanics/wave_spectrum.h"
-#include "model/description/description.h"
+#include "model/description/waves_description.h"
 
 namespace overbend {
 

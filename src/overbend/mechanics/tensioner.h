@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "model/description/description.h"
+#include "model/description/tensioner_description.h"
 
 namespace overbend {
 

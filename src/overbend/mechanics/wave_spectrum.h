@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/description/description.h"
+#include "model/description/waves_description.h"
 #include "model/waves/wave_theory.h"
 
 namespace overbend {

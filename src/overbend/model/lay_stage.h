@@ -3,9 +3,11 @@
 
 #include <vector>
 
-#include "model/description/description.h"
+#include "model/description/lay_operation.h"
 
 namespace overbend {
+
+struct Description;
 
 /// The stages of the operation, generated ones made: those whose tension is sought or follows from the bottom tension
 /// or from the place of the anchor have none yet. In the order in which they are done.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/description/description.h"
+#include "model/description/mooring_description.h"
 #include "model/site/bed_surface.h"
 #include "moorings/catenary.h"
 

@@ -7,7 +7,7 @@
 
 #include "base/assumption.h"
 #include "base/finding.h"
-#include "model/description/description.h"
+#include "model/description/lay_operation.h"
 #include "results/static_results.h"
 
 namespace overbend {

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "base/constants.h"
-#include "model/description/description.h"
+#include "model/description/lay_operation.h"
+#include "model/description/section_description.h"
+#include "model/description/structure_description.h"
 #include "model/pipe/bending_law.h"
 
 namespace overbend {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/description/description.h"
+#include "model/description/section_description.h"
 
 namespace overbend {
 

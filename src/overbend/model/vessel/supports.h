@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "model/description/description.h"
+#include "model/description/supports_description.h"
 
 namespace overbend {
+
+struct Description;
 
 enum class RollerPosition { bottom, port, starboard };
 
