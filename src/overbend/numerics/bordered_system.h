@@ -84,6 +84,9 @@ class BorderedSystem {
 
   /// Replaces right-hand sides by the solution: `x` of each line, six per node, and `y`, one per shared unknown.
   void solve(std::span<double* const> x, double* y);
+  /// The same of one line by itself: `x`, six per node, without the border's part. `close` must follow before the whole
+  /// is solved.
+  BlockSolveReport solve_line(int line, double* x) { return solve_line(at(line), x); }
   /// `factor` and `solve` in one: the right-hand sides of the lines go through the elimination with the blocks, which
   /// keeps digits that inverses lose where a line hardly stretches. Where it fails, x and y are spoilt.
   BorderedReport factor_and_solve(std::span<double* const> x, double* y);

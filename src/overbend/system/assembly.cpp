@@ -43,12 +43,22 @@ EndMotion dragged(EndMotion motion, const GivenWay& way) {
   return motion;
 }
 
+/// Which shared unknowns each line touches: of free bodies, then far forces.
+std::vector<BorderedLine> bordered_lines(const System& system, const BodyBorder& border) {
+  std::vector<BorderedLine> lines = border.lines();
+  for (std::size_t i = 0; i < system.far_forces.size(); ++i) {
+    lines[static_cast<std::size_t>(system.far_forces[i])].unknowns.push_back(border.unknowns() + static_cast<int>(i));
+  }
+  return lines;
+}
+
 }  // namespace
 
 Assembly::Assembly(const System& system)
     : system_(&system),
       border_(system),
-      solver_(border_.lines(), border_.unknowns()),
+      solver_(bordered_lines(system, border_), border_.unknowns() + static_cast<int>(system.far_forces.size())),
+      target_errors_(system.far_forces.size()),
       solution_(system.lines.size()),
       held_(system.attachments.size()),
       residuals_(system.lines.size() + (border_.empty() ? 0 : 1)),
@@ -108,6 +118,15 @@ void Assembly::find_held() {
       held_[i].tangent = across(direction);
     }
   }
+}
+
+void Assembly::set(const Continuation& continuation) {
+  for (LineAssembly& line : lines_) line.set(continuation);
+}
+
+void Assembly::set_surroundings(double time) {
+  system_->surroundings(time, surroundings_);
+  find_held();
 }
 
 void Assembly::set_time(double time, const SystemState& near) {
@@ -206,12 +225,7 @@ void Assembly::evaluate(SystemState& state, const SystemState& before, const Wei
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].evaluate(state.lines[i], before.lines[i], weights, surroundings_.water[i], with_tangent, contacts);
   }
-  if (!border_.empty()) {
-    border_.evaluate(state, before, weights, lines_, with_tangent);
-    if (with_tangent) {
-      put_border(state, weights);
-    }
-  }
+  evaluate_bodies(state, before, weights, with_tangent);
   find_machine_axis(state);
   if (governed_line() >= 0) {
     add_governor(state);
@@ -221,7 +235,18 @@ void Assembly::evaluate(SystemState& state, const SystemState& before, const Wei
   }
 }
 
-void Assembly::put_border(const SystemState& state, const Weights& weights) {
+void Assembly::evaluate_at_rest(SystemState& state, LayHistory history, bool with_tangent) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    lines_[i].evaluate_at_rest(surroundings_.bodies, state.lines[i], history, with_tangent);
+  }
+  evaluate_bodies(state, state, {}, with_tangent);
+}
+
+void Assembly::evaluate_bodies(SystemState& state, const SystemState& before, const Weights& weights,
+                               bool with_tangent) {
+  if (border_.empty()) return;
+  border_.evaluate(state, before, weights, lines_, with_tangent);
+  if (!with_tangent) return;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     border_.put_line(static_cast<int>(i), lines_[i], state, weights, held_, solver_);
   }

@@ -31,8 +31,17 @@ struct WorkingEnd {
   double power = 0.0;                      ///< [W]
 };
 
-/// Unknowns of every line, six per node; where bodies are free, another entry at the end: theirs, six each.
+/// Unknowns of every line, six per node; where there is a border, another entry at the end: six for each free body,
+/// then the far forces.
 using Increments = std::vector<std::vector<double>>;
+
+/// The equation that closes a far force, to first order: gradient . change = -error, of one node of its line.
+struct TargetEquation {
+  int node = 0;
+  bool tangent = false;  ///< Of its unknowns: the tangent, else the position.
+  Vec3 gradient = Vec3::Zero();
+  double error = 0.0;  ///< Value minus target.
+};
 
 inline constexpr int kBodyPlace = -1;  ///< In place of a line: a free body.
 
@@ -47,6 +56,7 @@ class Assembly {
   const LineAssembly& line(std::size_t index) const { return lines_[index]; }
   LineAssembly& line(std::size_t index) { return lines_[index]; }
   Increments increments() const;  ///< Of the right sizes.
+  bool bordered() const { return solver_.unknowns() > 0; }
   /// How many bodies are free: the size of SystemState::bodies.
   std::size_t free_bodies() const { return border_.count(); }
   const FreeBody& free_body(std::size_t number) const { return border_.body(number); }
@@ -56,6 +66,10 @@ class Assembly {
   std::uint64_t contact_signature() const;
   bool contacts_settled() const;
 
+  /// Sets the parameters of a continuation in all lines.
+  void set(const Continuation& continuation);
+  /// Brings the surroundings and what holds the ends to a time, without a state.
+  void set_surroundings(double time);
   /// Brings the surroundings to a time, and the rollers to the lines as they are in `near`.
   void set_time(double time, const SystemState& near);
   /// What decides the speed of the tensioner at the instants to come.
@@ -70,6 +84,14 @@ class Assembly {
   /// after the step.
   void evaluate(SystemState& state, const SystemState& before, const Weights& weights, bool with_tangent,
                 ContactMode contacts = ContactMode::free);
+  /// Internal minus external forces on lines and free bodies at rest, ends where they are.
+  void evaluate_at_rest(SystemState& state, LayHistory history, bool with_tangent);
+  /// Holds the end of an attachment so, in place of what the attachment says, until the surroundings change.
+  void hold_end(std::size_t attachment, const HeldDirections& held) { held_[attachment] = held; }
+  /// The border of a far force: how the forces on the first end change with it, and the equation that closes it.
+  void put_far_force(std::size_t number, const Vec3& column, const TargetEquation& target);
+  /// A far force that is held keeps its size; its equation is left out.
+  void hold_far_force(std::size_t number, bool held);
   /// Brings the factors up to the contacts of the last evaluation, which had no tangent: the lines' part is that of the
   /// last factors, and those before the first roller stand. False where a full tangent is needed.
   bool renew_contacts(const SystemState& state, const Weights& weights);
@@ -81,6 +103,7 @@ class Assembly {
   void end_iteration(const SystemState& state);
   /// Removes held directions from residual and, where asked, blocks.
   void hold(bool with_tangent);
+  void hold_line(int line, bool with_tangent);
   /// Largest unbalanced force of a line or a free body over its force scale.
   double relative_residual();
   /// The same, of each line, and at the end of the free bodies where there are any: as relative_residual() found them.
@@ -91,12 +114,16 @@ class Assembly {
   /// Factors the blocks and solves for the increments of the unknowns; false where they are singular. For statics: with
   /// masses `factor` and `solve_again` are less work, see BorderedSystem::factor_and_solve().
   bool solve_factored(Increments& dq);
+  /// The same of one line by itself.
+  bool solve_line(int line, Increments& dq);
   /// Factors the blocks; false where they are singular.
   bool factor();
   /// Solves for the increments with the factors of the last `factor` or `solve_factored`.
   void solve_again(Increments& dq);
   /// Replaces forces on the unknowns by the increments that they make, with the same factors.
   void apply_factors(Increments& dq);
+  /// Of the last factors.
+  const BorderedReport& solve_report() const { return solve_report_; }
 
   /// Of the state evaluated last.
   InstantEnergy energy(const SystemState& state) const;
@@ -117,15 +144,17 @@ class Assembly {
   bool find_accelerations(SystemState& state);
 
  private:
+  void hold_attachment(std::size_t index, bool with_tangent);
   bool governed(std::size_t attachment) const;
   int governed_line() const;
   bool factor_fresh(const SystemState& state, const Weights& weights);
   void take_residual(Increments& dq);
   void point_solution_at(Increments& dq);
-  double* border_of(Increments& dq) const { return border_.empty() ? nullptr : dq.back().data(); }
+  double* border_of(Increments& dq) const { return bordered() ? dq.back().data() : nullptr; }
+  int far_unknown(std::size_t number) const { return border_.unknowns() + static_cast<int>(number); }
   void hold_hinged(int body);
   void lead_bodies(const SystemState& state);
-  void put_border(const SystemState& state, const Weights& weights);
+  void evaluate_bodies(SystemState& state, const SystemState& before, const Weights& weights, bool with_tangent);
   void add_body_energy(const SystemState& state, InstantEnergy& now) const;
   void add_winch_power(const SystemState& state, InstantEnergy& now) const;
   void pay_out(const SystemState& state);
@@ -138,6 +167,8 @@ class Assembly {
   Surroundings surroundings_;
   BodyBorder border_;
   BorderedSystem solver_;
+  BorderedReport solve_report_;
+  std::vector<double> target_errors_;  ///< Of the equations that close the far forces.
   std::vector<LineAssembly> lines_;
   std::vector<double*> solution_;     ///< Of the lines, for the solver.
   std::vector<HeldDirections> held_;  ///< By the attachments.

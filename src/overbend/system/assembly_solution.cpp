@@ -16,10 +16,23 @@ Increments Assembly::increments() const {
   for (const LineAssembly& line : lines_) {
     dq.emplace_back(line.residual().size());
   }
-  if (!border_.empty()) {
-    dq.emplace_back(border_.residual().size());
-  }
+  if (bordered()) dq.emplace_back(static_cast<std::size_t>(solver_.unknowns()));
   return dq;
+}
+
+void Assembly::put_far_force(std::size_t number, const Vec3& column, const TargetEquation& target) {
+  const int line = system_->far_forces[number];
+  const int at = border_.unknowns_of_line(line), stride = solver_.stride(line);
+  if (at == 0) solver_.clear_border(line);
+  for (int i = 0; i < 3; ++i) {
+    solver_.columns(line, 0)[i * stride + at] = column(i);
+    solver_.rows(line, target.node)[((target.tangent ? 3 : 0) + i) * stride + at] = target.gradient(i);
+  }
+  target_errors_[number] = target.error;
+}
+
+void Assembly::hold_far_force(std::size_t number, bool held) {
+  solver_.hold(far_unknown(number), held);
 }
 
 bool Assembly::renew_contacts(const SystemState& state, const Weights& weights) {
@@ -74,10 +87,19 @@ bool Assembly::factor_fresh(const SystemState& state, const Weights& weights) {
   return solver_.close() < 0;
 }
 
+void Assembly::hold_attachment(std::size_t index, bool with_tangent) {
+  const Attachment& attachment = system_->attachments[index];
+  LineAssembly& line = lines_[static_cast<std::size_t>(attachment.line)];
+  line.hold(line.end_node(attachment.end), held_[index], with_tangent);
+}
+
 void Assembly::hold(bool with_tangent) {
+  for (std::size_t i = 0; i < held_.size(); ++i) hold_attachment(i, with_tangent);
+}
+
+void Assembly::hold_line(int line, bool with_tangent) {
   for (std::size_t i = 0; i < held_.size(); ++i) {
-    LineAssembly& line = lines_[static_cast<std::size_t>(system_->attachments[i].line)];
-    line.hold(line.end_node(system_->attachments[i].end), held_[i], with_tangent);
+    if (system_->attachments[i].line == line) hold_attachment(i, with_tangent);
   }
 }
 
@@ -119,16 +141,28 @@ void Assembly::take_residual(Increments& dq) {
   for (std::size_t k = 0; k < border_.residual().size(); ++k) {
     dq.back()[k] = -border_.residual()[k];
   }
+  for (std::size_t k = 0; k < target_errors_.size(); ++k) {
+    dq.back()[static_cast<std::size_t>(far_unknown(k))] = -target_errors_[k];
+  }
   point_solution_at(dq);
 }
 
 bool Assembly::solve_factored(Increments& dq) {
   take_residual(dq);
-  return solver_.factor_and_solve(solution_, border_of(dq)).solved();
+  solve_report_ = solver_.factor_and_solve(solution_, border_of(dq));
+  return solve_report_.solved();
+}
+
+bool Assembly::solve_line(int index, Increments& dq) {
+  const std::vector<double>& residual = line(static_cast<std::size_t>(index)).residual();
+  std::vector<double>& x = dq[static_cast<std::size_t>(index)];
+  std::transform(residual.begin(), residual.end(), x.begin(), [](double r) { return -r; });
+  return solver_.solve_line(index, x.data()).solved();
 }
 
 bool Assembly::factor() {
-  return solver_.factor().solved();
+  solve_report_ = solver_.factor();
+  return solve_report_.solved();
 }
 
 void Assembly::solve_again(Increments& dq) {

@@ -28,6 +28,8 @@ class BodyBorder {
   int unknowns() const { return 6 * static_cast<int>(bodies_.size()); }
   /// Which shared unknowns each line touches.
   std::vector<BorderedLine> lines() const;
+  /// How many of them a line touches.
+  int unknowns_of_line(int index) const { return lines_[static_cast<std::size_t>(index)].unknowns(); }
   /// Which of the free bodies, -1 where a body is none of them.
   int number_of(int body) const { return body < 0 ? -1 : number_[static_cast<std::size_t>(body)]; }
   const FreeBody& body(std::size_t number) const { return *bodies_[number].body; }

@@ -25,14 +25,19 @@ LineAssembly::LineAssembly(const Line& line, const std::vector<Body>& bodies, Bl
   }
 }
 
-void LineAssembly::ease(const Easing& easing) {
-  easing_ = easing;
-  contacts_.ease(easing.rollers);
-  environment_.bed_stiffness = std::min(line_->environment.bed_stiffness, easing.most_bed_stiffness);
-  environment_.bed_stick = std::min(line_->environment.bed_stick, easing.most_bed_stiffness);
-  environment_.bed_relief = easing.bed_relief;
-  environment_.bed_level = easing.bed_level;
-  environment_.current_scale = easing.current * line_->environment.current_scale;
+void LineAssembly::set(const Continuation& continuation) {
+  continuation_ = continuation;
+  contacts_.set(continuation);
+  environment_.bed_stiffness = std::min(line_->environment.bed_stiffness, continuation.max_bed_stiffness);
+  environment_.bed_stick = std::min(line_->environment.bed_stick, continuation.max_bed_stiffness);
+  environment_.bed_relief = continuation.bed_relief;
+  environment_.bed_level = continuation.bed_level;
+  environment_.current_scale = continuation.current * line_->environment.current_scale;
+  softened_.reset();
+  if (continuation.max_axial_stiffness < Continuation{}.max_axial_stiffness) {
+    softened_ = elements();
+    for (double& stiffness : softened_->EA) stiffness = std::min(stiffness, continuation.max_axial_stiffness);
+  }
 }
 
 void LineAssembly::lay_beside(double to_port) {
@@ -112,9 +117,10 @@ void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, cons
   add_line_forces(elements(), environment_, state.shape(), target, best_isa());
   contacts_.place(bodies, state.q.data(), 0.0);
   contacts_.evaluate_at_rest(state.q.data(), {residual_, cuts_});
-  if (yielding_.any && easing_.yielding > 0.0) {
+  if (yielding_.any && continuation_.yielding > 0.0) {
     choose_levels(yielding_, state.q.data());
-    const StaticYield how{history, easing_.yielding, before_.empty() ? nullptr : before_.data(), roller_pushes(state)};
+    const StaticYield how{history, continuation_.yielding, before_.empty() ? nullptr : before_.data(),
+                          roller_pushes(state)};
     add_static_yielding(yielding_, line_->mesh, how, state.shape(), keep_memory, resting_,
                         {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
   }

@@ -11,16 +11,6 @@
 
 namespace overbend {
 
-/// What a continuation in statics makes easier. The default is the model as it is.
-struct Easing {
-  ContactEasing rollers;
-  double most_bed_stiffness = 1e300;  ///< Limit of the bed's stiffness, normal and in friction [N/m2].
-  double bed_relief = 1.0;            ///< Factor on the heights of a shaped bed over `bed_level`.
-  double bed_level = 0.0;             ///< [m]
-  double current = 1.0;               ///< Factor on the current's speed.
-  double yielding = 1.0;              ///< Factor on the plastic moments: 0 is linear steel.
-};
-
 /// Of the largest unbalanced force.
 struct Unbalance {
   double force = 0.0;  ///< [N]; moments count over the length of the shortest element beside the node.
@@ -37,8 +27,8 @@ class LineAssembly {
   RollerContacts& contacts() { return contacts_; }
   const LineEnvironment& environment() const { return environment_; }
   const StaticYielding& yielding_at_rest() const { return resting_; }
-  /// With the last element as long as it is now.
-  const LineElements& elements() const { return paid_ ? *paid_ : line_->elements; }
+  /// With the last element as long as it is now, or softened.
+  const LineElements& elements() const { return softened_ ? *softened_ : paid_ ? *paid_ : line_->elements; }
   /// Unstressed length of the last element, where a winch gives it [m]; 0: that of the mesh.
   void set_last_element(double length);
   /// How the energy of the line grows with that length while its unknowns stand [N]: minus the tension, but for what
@@ -56,11 +46,12 @@ class LineAssembly {
   BlockTridiagonal& tangent() { return *tangent_; }
   const BlockTridiagonal& tangent() const { return *tangent_; }
 
-  void ease(const Easing& easing);
+  const Continuation& continuation() const { return continuation_; }
+  void set(const Continuation& continuation);
   /// The pipe has been laid beside the route of the line, everywhere `to_port` metres away.
   void lay_beside(double to_port);
   /// Whether steel that may yield keeps what bent it upstream: the tangent at rest does not know that.
-  bool remembers() const { return yielding_.any && easing_.yielding > 0.0 && before_.empty(); }
+  bool remembers() const { return yielding_.any && continuation_.yielding > 0.0 && before_.empty(); }
   /// What the Gauss points were before, in place of a loading history; empty for none.
   void begin_with(std::vector<BendingMemory> before) { before_ = std::move(before); }
 
@@ -105,10 +96,11 @@ class LineAssembly {
   void keep_ends();
 
   const Line* line_;
-  LineEnvironment environment_;               ///< Eased.
+  LineEnvironment environment_;               ///< As the continuation has it.
   mutable std::optional<LineElements> paid_;  ///< Where a winch gives the last element its length.
+  std::optional<LineElements> softened_;      ///< Where a continuation limits the axial stiffness.
   YieldingElements yielding_;                 ///< With its levels.
-  Easing easing_;
+  Continuation continuation_;
   RollerContacts contacts_;
   StaticYielding resting_;
   std::vector<BendingMemory> before_;

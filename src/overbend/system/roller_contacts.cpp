@@ -350,7 +350,8 @@ void RollerContacts::evaluate_one(std::size_t index, const std::optional<Meeting
                             double full) {
     SlipStep step{slip, rate, weights.step, normal.force};
     if (before.carries) step.start_rate = start_rate;
-    if (!easing_.friction) return full == 0.0 ? FrictionForce{} : friction_in_state(roller.law, mu, step, slide(full));
+    if (!continuation_.friction_by_slip)
+      return full == 0.0 ? FrictionForce{} : friction_in_state(roller.law, mu, step, slide(full));
     if (kept) {
       return friction_in_state(roller.law, mu, step, at_start);
     }
@@ -361,8 +362,9 @@ void RollerContacts::evaluate_one(std::size_t index, const std::optional<Meeting
     }
     return force;
   };
-  const FrictionForce axial = friction(roller.law.friction_axial, before.slip_axial, before.rate_axial,
-                                       contact.slip_rate_axial, before.axial, iterate_[index].axial, easing_.rub.along);
+  const FrictionForce axial =
+      friction(roller.law.friction_axial, before.slip_axial, before.rate_axial, contact.slip_rate_axial, before.axial,
+               iterate_[index].axial, continuation_.roller_friction.along);
   const FrictionForce lateral = friction(roller.law.friction_lateral, before.slip_lateral, before.rate_lateral,
                                          contact.slip_rate_lateral, before.lateral, iterate_[index].lateral, 0.0);
   contact.axial = axial.force;

@@ -11,6 +11,7 @@
 #include "mechanics/vessel_motion.h"
 #include "numerics/block_tridiagonal.h"
 #include "system/body.h"
+#include "system/continuation.h"
 #include "system/line.h"
 #include "system/weights.h"
 
@@ -44,14 +45,6 @@ struct RollerContact {
 /// iteration of a step keeps them: a predictor knows nothing of stiff springs, and would open contacts that carry.
 enum class ContactMode { free, kept };
 
-/// What a continuation in statics makes easier.
-struct ContactEasing {
-  double most_stiffness = 1e300;  ///< Limit of the normal stiffness [N/m].
-  bool sides = true;              ///< Whether side rollers act.
-  RollerRub rub = {};             ///< Full friction in statics, which is no continuation but what is asked for.
-  bool friction = true;           ///< Friction of evaluate() follows the slip; otherwise it is that of `rub`.
-};
-
 /// Where the forces of contacts are added: six per node, both as in LineTarget.
 struct ContactTarget {
   std::vector<double>& residual;
@@ -77,10 +70,10 @@ class RollerContacts {
   /// Moves the rollers with their bodies by less than the `reach` they were placed with: what they may meet stays.
   void move(const std::vector<RigidMotion>& bodies);
 
-  void ease(const ContactEasing& easing) { easing_ = easing; }
+  void set(const Continuation& continuation) { continuation_ = continuation; }
 
-  /// Forces on a line at rest: normal springs, and full friction where the easing says so; every roller on the side
-  /// that it is meant for, wherever along the line the closest point is. Rollers out of reach are not looked at.
+  /// Forces on a line at rest: normal springs, and full friction where the continuation says so; every roller on the
+  /// side that it is meant for, wherever along the line the closest point is. Rollers out of reach are not looked at.
   void evaluate_at_rest(const double* q, const ContactTarget& target);
 
   /// Forces of all rollers that a moving line may meet, added to the line's. `before` is the memory at the start of the
@@ -185,7 +178,7 @@ class RollerContacts {
 
   const Line* line_;
   const std::vector<Body>* bodies_;
-  ContactEasing easing_;
+  Continuation continuation_;
   std::vector<Member> rollers_;
   std::vector<PlacedRoller> placed_;
   std::vector<ElementBounds> bounds_;

@@ -10,9 +10,9 @@ namespace overbend {
 void RollerContacts::rub(std::size_t index, const RollerDistance& distance, const NormalForce& normal) {
   const BodyRoller& roller = *rollers_[index].roller;
   RollerContact& contact = contacts_[index];
-  const double across = roller.position == RollerPosition::bottom ? easing_.rub.across : 0.0;
-  const RubForce force{easing_.rub.along * roller.law.friction_axial, across * roller.law.friction_lateral,
-                       normal.force, normal.by_penetration};
+  const double across = roller.position == RollerPosition::bottom ? continuation_.roller_friction.across : 0.0;
+  const RubForce force{continuation_.roller_friction.along * roller.law.friction_axial,
+                       across * roller.law.friction_lateral, normal.force, normal.by_penetration};
   contact.axial_direction = contact.at.tangent.normalized();  // square to the distance at the closest point
   contact.lateral_direction = distance.direction.cross(contact.axial_direction);
   contact.axial = force.along * normal.force;
@@ -32,7 +32,7 @@ void RollerContacts::evaluate_one_at_rest(std::size_t index, const double* q, co
   contact = RollerContact{};
   contact.penetration = 0.0;
   carrying_[index].carries = false;
-  if (!easing_.sides && roller.position != RollerPosition::bottom) {
+  if (!continuation_.side_rollers && roller.position != RollerPosition::bottom) {
     return;
   }
   const std::vector<double>& length = line_->mesh.length;
@@ -44,14 +44,14 @@ void RollerContacts::evaluate_one_at_rest(std::size_t index, const double* q, co
   RollerDistance distance = roller_distance(placed_[index], contact.at);
   measure(index, distance, true);
   ContactLaw law = roller.law;
-  law.stiffness = std::min(law.stiffness, easing_.most_stiffness);
+  law.stiffness = std::min(law.stiffness, continuation_.max_roller_stiffness);
   const NormalForce normal = normal_force(law, contact.penetration, 0.0);
   contact.normal = normal.force;
   if (normal.force <= 0.0) {
     return;
   }
   carrying_[index] = {true, distance, normal, {}, {}};
-  if (easing_.rub.any()) {
+  if (continuation_.roller_friction.any()) {
     rub(index, distance, normal);
   }
   push(index, hermite(contact.at.xi, length[static_cast<std::size_t>(contact.at.element)]).value, target);

@@ -55,9 +55,10 @@ struct System {
   std::vector<Line> lines;
   std::vector<Body> bodies;
   std::vector<Attachment> attachments;
-  int machine = -1;       ///< The attachment whose tensioner acts; -1: none.
-  double build_up = 0.0;  ///< Before t = 0, over which the tensioner is brought in [s].
-  RollerRub rub;          ///< Friction of the rollers at rest, from which a run starts.
+  std::vector<int> far_forces;  ///< Lines whose first end slides under a force of unknown size, LineState::far_force.
+  int machine = -1;             ///< The attachment whose tensioner acts; -1: none.
+  double build_up = 0.0;        ///< Before t = 0, over which the tensioner is brought in [s].
+  RollerRub rub;                ///< Friction of the rollers at rest, from which a run starts.
   SurroundingsAt surroundings;
 };
 

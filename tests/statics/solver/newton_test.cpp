@@ -18,11 +18,16 @@ struct Start {
   StartingPoint from = starting_point(model, lay_plane(model, model.mean_pose));
   StaticSystem system{model, model.mean_pose, build_mesh(model, from.zones)};
   LineState state = sample_shape(system, from.shape);
+
+  NewtonReport solve(NewtonSettings settings = {}) {
+    settings.target = from.target;
+    return solve_equilibrium(system, state, settings);
+  }
 };
 
 TEST(newton, meets_the_tension_and_the_balance_together) {
   Start start;
-  const NewtonReport report = newton(start.system, start.state, start.from.target, NewtonSettings{});
+  const NewtonReport report = start.solve();
   ASSERT_TRUE(report.converged());
   start.system.evaluate(start.state, false);
   EXPECT_NEAR(start.system.target_error(start.state, start.from.target), 0.0, 1e-9 * start.system.total_weight());
@@ -32,12 +37,12 @@ TEST(newton, every_step_from_nearby_falls_threefold_and_the_last_gains_four_digi
   Start start;
   NewtonSettings near;
   near.tolerance = 1e-3;
-  ASSERT_TRUE(newton(start.system, start.state, start.from.target, near).converged());
+  ASSERT_TRUE(start.solve(near).converged());
   std::vector<double> residuals;
   for (int i = 0; i < 5; ++i) {
     NewtonSettings settings;
     settings.max_iterations = 0;
-    residuals.push_back(newton(start.system, start.state, start.from.target, settings).residual);
+    residuals.push_back(start.solve(settings).residual);
   }
   // Gauss points that touch or leave the bed keep the first steps from doubling their digits; with the exact tangent
   // each still falls, and the last, where nothing changes contact, gains four digits.
@@ -51,7 +56,7 @@ TEST(newton, every_step_from_nearby_falls_threefold_and_the_last_gains_four_digi
 TEST(newton, a_state_that_is_not_a_number_is_lost_and_never_converged) {
   Start start;
   start.state.q[100] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(newton(start.system, start.state, start.from.target, NewtonSettings{}).end, NewtonEnd::lost);
+  EXPECT_EQ(start.solve().end, NewtonEnd::lost);
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ TEST(rest_together, balances_all_forces_on_the_whole) {
 // Without friction, which remembers the way.
 TEST(rest_together, comes_to_the_same_rest_by_the_fallback) {
   RestSettings fallback;
-  fallback.max_iterations = 12;  // enough for lines on a held body,
-  fallback.largest_move = 0.02;  // but not for all at once from here
+  fallback.max_iterations = 12;    // enough for lines on a held body,
+  fallback.body_step.move = 0.02;  // but not for all at once from here
   fallback.max_rounds = 200;
   const Rested at = rested(floating(), 0.0), slowly = rested(floating(), 0.0, fallback);
   ASSERT_TRUE(slowly.report.converged) << slowly.report.residual;

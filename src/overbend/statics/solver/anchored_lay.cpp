@@ -178,7 +178,7 @@ class AnchorSearch {
   const LinePast& past_;
   Model pulled_;  ///< The same line with a given tension.
   LayPlane plane_;
-  LineTargetValue target_;
+  EquilibriumTarget target_;
   double tolerance_;  ///< [m]
   std::optional<StaticSolution> solution_;
   SolveReport report_;                    ///< Of all trials with solutions.
@@ -193,7 +193,7 @@ class AnchorSearch {
 }  // namespace
 
 bool is_anchored(const Model& model) {
-  return wanted_of(model.description).kind == LineTargetValue::Kind::anchor_distance && !has_cable(model.description);
+  return wanted_of(model.description).kind == EquilibriumTarget::Kind::anchor_distance && !has_cable(model.description);
 }
 
 StaticOutcome solve_anchored(const Model& model, const LinePast& past) {

@@ -15,9 +15,9 @@ struct LineRestSettings {
 /// Iterates the shape of one line of an assembly, whose held ends are in their places, towards equilibrium: Newton's
 /// method as for the pipe, searched along and damped where a step leads uphill; where that does not find it, from soft
 /// to hard. A slack cable has next to no stiffness across, and its way down is long: hence the many iterations it may
-/// take; they cost microseconds. The bed's friction holds from the shape `laid` on, as in a step of `slowly` seconds
-/// without inertia and without waves; velocities of `state` are those of that step.
-NewtonReport rest_line(Assembly& assembly, std::size_t line, const LineState& laid, double slowly, LineState& state,
+/// take; they cost microseconds. The bed's friction holds from the shape in `laid` on, as in a step of `slowly` seconds
+/// without inertia and without waves; velocities of the line are those of that step.
+NewtonReport rest_line(Assembly& assembly, std::size_t line, const SystemState& laid, double slowly, SystemState& state,
                        const LineRestSettings& settings = {});
 
 struct LinesRest {

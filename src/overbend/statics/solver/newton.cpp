@@ -2,85 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "base/dense_algebra.h"
 #include "statics/equations/step_search.h"
+#include "statics/solver/step_mixing.h"
 
 namespace overbend {
 namespace {
 
 constexpr double kLargestForceStep = 0.3;  ///< Of the far force, relative.
 constexpr double kLeastFarForce = 1e-6;    ///< Of the total weight: steps leave that much where they go below zero.
-constexpr double kBalanced = 1e-6;         ///< Residual of a line that balances, whatever is wanted of it.
-
-/// Where the tangent leaves out that steel remembers what bent it upstream, Newton's steps are those of a fixed-point
-/// iteration. What the last of them changed in the next tells what is left out (Anderson 1965, Walker and Ni 2011).
-class StepMixing {
- public:
-  /// Mixes the last steps into this one; `force` is the step of the far force.
-  void mix(std::vector<double>& step, double& force) {
-    Eigen::VectorXd now(static_cast<Eigen::Index>(step.size()) + 1);
-    now << Eigen::Map<const Eigen::VectorXd>(step.data(), static_cast<Eigen::Index>(step.size())), force;
-    if (asked_.size() == now.size() && taken_.size() == now.size()) {
-      if (changes_.size() == kMixed) changes_.erase(changes_.begin());
-      changes_.push_back({now - asked_, taken_});
-    }
-    asked_ = now;
-    taken_.resize(0);
-    if (changes_.empty()) return;
-    Eigen::MatrixXd change(now.size(), static_cast<Eigen::Index>(changes_.size()));
-    for (std::size_t i = 0; i < changes_.size(); ++i) change.col(static_cast<Eigen::Index>(i)) = changes_[i].asked;
-    const Eigen::VectorXd share = least_squares(change, now);
-    if ((now - change * share).norm() > kWorthwhile * now.norm()) return;
-    for (std::size_t i = 0; i < changes_.size(); ++i) {
-      now -= share(static_cast<Eigen::Index>(i)) * (changes_[i].asked + changes_[i].taken);
-    }
-    Eigen::Map<Eigen::VectorXd>(step.data(), now.size() - 1) = now.head(now.size() - 1);
-    force = now(now.size() - 1);
-  }
-  /// What became of the step mixed last.
-  void took(const std::vector<double>& step, double share, double force) {
-    taken_.resize(static_cast<Eigen::Index>(step.size()) + 1);
-    taken_ << share * Eigen::Map<const Eigen::VectorXd>(step.data(), static_cast<Eigen::Index>(step.size())), force;
-  }
-  void forget() {
-    changes_.clear();
-    asked_.resize(0);
-    taken_.resize(0);
-  }
-
- private:
-  static constexpr std::size_t kMixed = 6;  ///< Steps that are remembered; 3 to 10 solve about as many random lays.
-  static constexpr double kWorthwhile =
-      0.7;  ///< Share of a step that may stand against those before and still be mixed.
-  struct Change {
-    Eigen::VectorXd asked, taken;
-  };
-  std::vector<Change> changes_;
-  Eigen::VectorXd asked_, taken_;
-};
-
-/// Looks at the unbalanced forces along a step.
-struct Search {
-  StaticSystem& system;
-  const LineState& from;
-  const std::vector<double>& dq;
-  LineState& trial;
-  int& trials;
-  bool with_tangent;         ///< Whether the first look takes the tangent along: most steps end there.
-  bool has_tangent = false;  ///< Whether the last look did.
-
-  /// Work of the unbalanced forces per unit of the step at `share`.
-  double work_at(double share) {
-    ++trials;
-    advance(trial, from, dq, share);
-    has_tangent = std::exchange(with_tangent, false);
-    system.evaluate(trial, has_tangent);
-    system.hold(has_tangent);
-    return system.work(dq);
-  }
-};
+constexpr double kBalanced = 1e-6;         ///< Residual of a line that balances, whatever the target.
+constexpr double kBeyondAll = 1e30;        ///< Residual of a state that is lost.
+constexpr int kHalvings = 8;               ///< Of a step whose residual grows.
 
 /// Residuals of the last two states, which tell where Newton's method goes from here.
 class Descent {
@@ -99,34 +32,22 @@ class Descent {
   double before_ = 0.0, now_ = 0.0;  ///< None yet: no quotient of these is small.
 };
 
-}  // namespace
-
-double relative_target_error(const StaticSystem& system, const LineState& state, const LineTargetValue& target) {
-  const bool tension = target.kind == LineTargetValue::Kind::top_tension;
-  const double scale = tension ? std::min(system.total_weight(), target.value) : system.mesh().total_length();
-  return std::abs(system.target_error(state, target)) / scale;
-}
-
-namespace {
-
 /// One search for an equilibrium.
 class NewtonSearch {
  public:
-  NewtonSearch(StaticSystem& system, LineState& state, const LineTargetValue& target, const NewtonSettings& settings)
-      : system_(system),
+  NewtonSearch(Equilibrium& equations, SystemState& state, const NewtonSettings& settings)
+      : equations_(equations),
         state_(state),
-        target_(target),
         settings_(settings),
-        dq_(state.q.size()),
+        dq_(equations.increments()),
         trial_(state),
-        descent_(settings.tolerance),
-        move_(largest_move(system.mesh())) {}
+        descent_(settings.tolerance) {}
 
   NewtonReport run() {
     for (; report_.iterations <= settings_.max_iterations; ++report_.iterations) {
-      if (!looked_) look(true);
+      if (!looked_) look(state_, true);
       if (ended()) return report_;
-      if (!has_tangent_) look(true);
+      if (!has_tangent_) look(state_, true);
       if (!take_step()) return report_;
     }
     report_.end = NewtonEnd::too_many_iterations;
@@ -134,102 +55,134 @@ class NewtonSearch {
   }
 
  private:
-  void look(bool with_tangent) {
-    system_.evaluate(state_, with_tangent);
-    system_.hold(with_tangent);
+  void look(SystemState& at, bool with_tangent) {
+    equations_.evaluate(at, with_tangent);
+    equations_.hold(with_tangent);
     looked_ = true;
     has_tangent_ = with_tangent;
   }
 
   double target_error() const {
-    return settings_.free_far_force ? relative_target_error(system_, state_, target_) : 0.0;
+    if (!settings_.target) return 0.0;
+    return relative_error(*settings_.target, equations_.line().line(),
+                          equations_.target_equation(*settings_.target, state_).error);
+  }
+
+  bool is_slack() const {
+    return settings_.target && report_.residual < kBalanced &&
+           far_force(state_) < kLeastFarForce * equations_.line().line().force_scale;
+  }
+
+  bool end(NewtonEnd how) {
+    report_.end = how;
+    return true;
   }
 
   /// Whether there is nothing more to do, or to be done, from the state as it was looked at.
   bool ended() {
-    report_.residual = system_.relative_residual();
+    report_.residual = equations_.relative_residual();
     const double error = std::max(report_.residual, target_error());
     descent_.reached(error);
-    if (!std::isfinite(report_.residual)) {
-      report_.end = NewtonEnd::lost;
-      return true;
-    }
-    if (error < settings_.tolerance) {
-      report_.end = NewtonEnd::converged;
-      return true;
-    }
-    if (state_.far_force < kLeastFarForce * system_.total_weight() && report_.residual < kBalanced) {
-      report_.end = NewtonEnd::slack;
-      return true;
-    }
-    return false;
+    if (!(report_.residual < kBeyondAll)) return end(NewtonEnd::lost);
+    if (error < settings_.tolerance) return end(NewtonEnd::converged);
+    return is_slack() && end(NewtonEnd::slack);
+  }
+
+  bool damped() const { return settings_.search == StepSearch::least_work; }
+
+  bool raise_damping(double least) {
+    damping_ = std::max(kDampingStep * damping_, least);
+    return true;
   }
 
   /// One step with the tangent of the state, or with more damping where that leads nowhere. False where none is left.
   bool take_step() {
-    double dH = 0.0;
-    const bool free = settings_.free_far_force && damping_ == 0.0;
-    const bool solved = system_.solve_step(state_, target_, damping_, free, dq_, dH);
+    const bool free = settings_.target && damping_ == 0.0;
+    if (settings_.target) equations_.put_target(*settings_.target, state_);
+    const bool solved = equations_.solve(damping_, free, dq_);
     looked_ = has_tangent_ = false;
     if (!solved) {
-      if (damping_ > kMostDamping) {
-        report_.end = NewtonEnd::singular;
-        report_.singular_node = system_.singular_node();
-        return false;
-      }
-      damping_ = std::max(kDampingStep * damping_, 1e2);
-      return true;
+      if (damped() && damping_ <= kMostDamping) return raise_damping(1e2);
+      report_.end = NewtonEnd::singular;
+      report_.singular_node = equations_.singular_node();
+      return false;
     }
-    const bool mixes = settings_.remembers && damping_ == 0.0;
-    if (mixes) {
-      mixing_.mix(dq_, dH);
-    } else {
-      mixing_.forget();
-    }
-    const double limit = std::min(step_limit(dq_, move_), system_.share_before_entering(dq_, settings_.entering));
-    const double force_step =
-        std::clamp(limit * dH, -kLargestForceStep * state_.far_force, kLargestForceStep * state_.far_force);
-    trial_.far_force = state_.far_force + force_step;
-    double work_start = system_.work(dq_);
-    for (int i = 0; i < 3; ++i) {
-      work_start -= force_step * system_.far_direction()(i) * dq_[static_cast<std::size_t>(i)];
-    }
-    if (work_start >= 0.0 &&
-        damping_ < kMostDamping) {  // past a limit point: damped steps lead downhill to where the pipe snaps
-      damping_ = std::max(kDampingStep * damping_, 1.0);
-      return true;
-    }
-    search_step(work_start, limit, force_step, mixes);
+    if (damped()) return step_downhill();
+    step_bounded(equations_.body_limit(dq_, settings_.body_step));
     return true;
   }
 
-  void search_step(double work_start, double limit, double force_step, bool mixes) {
-    const bool tangent = goes_well_ && !descent_.ends_next();
-    Search search{system_, state_, dq_, trial_, report_.trials, tangent};
-    const double share = search_along([&](double at) { return search.work_at(at); }, work_start, limit);
-    if (mixes) mixing_.took(dq_, share, force_step);
-    goes_well_ = share == limit;
-    if (share < 0.05) {
-      damping_ = std::max(kDampingStep * damping_, 1.0);
+  bool step_downhill() {
+    const bool mixes = settings_.remembers && damping_ == 0.0;
+    if (mixes) {
+      mixing_.mix(dq_.front(), dq_.back().back());
+    } else {
+      mixing_.forget();
+    }
+    const double limit = std::min(equations_.step_limit(dq_, settings_.body_step),
+                                  equations_.share_before_entering(dq_, settings_.entering));
+    const double force_step = take_force_step(limit);
+    const double work_start = equations_.work(dq_, force_step);
+    if (work_start >= 0.0 && damping_ < kMostDamping) {
+      return raise_damping(1.0);  // past a limit point: damped steps lead downhill to where the pipe snaps
+    }
+    search_least_work(work_start, limit);
+    if (mixes) mixing_.took(dq_.front(), share_, force_step);
+    return true;
+  }
+
+  double& far_force(SystemState& of) const { return of.lines.front().far_force; }
+  double far_force(const SystemState& of) const { return of.lines.front().far_force; }
+
+  /// The far force of the next state takes its whole step, within bounds; returns the step.
+  double take_force_step(double limit) {
+    if (!settings_.target) return 0.0;
+    const double most = kLargestForceStep * far_force(state_);
+    const double step = std::clamp(limit * dq_.back().back(), -most, most);
+    far_force(trial_) = far_force(state_) + step;
+    return step;
+  }
+
+  /// Most steps end at the first look, which takes the tangent along.
+  void search_least_work(double work_start, double limit) {
+    bool with_tangent = goes_well_ && !descent_.ends_next();
+    const auto work_at = [&](double share) {
+      ++report_.trials;
+      equations_.advance(trial_, state_, dq_, share);
+      look(trial_, std::exchange(with_tangent, false));
+      return equations_.work(dq_);
+    };
+    share_ = search_along(work_at, work_start, limit);
+    goes_well_ = share_ == limit;
+    if (share_ < 0.05) {
+      raise_damping(1.0);
     } else {
       damping_ = damping_ < 1.0 ? 0.0 : damping_ / kDampingStep;
     }
     std::swap(state_, trial_);
-    looked_ = true;
-    has_tangent_ = search.has_tangent;
   }
 
-  StaticSystem& system_;
-  LineState& state_;
-  const LineTargetValue& target_;
+  void step_bounded(double limit) {
+    const auto grows = [&](double share) {
+      equations_.advance(trial_, state_, dq_, share);
+      look(trial_, false);
+      return !(equations_.relative_residual() < settings_.max_growth * report_.residual);
+    };
+    double share = limit;
+    for (int i = 0; grows(share) && i < kHalvings; ++i) share *= 0.5;
+    std::swap(state_, trial_);
+  }
+
+  Equilibrium& equations_;
+  SystemState& state_;
   const NewtonSettings& settings_;
   NewtonReport report_;
-  std::vector<double> dq_;
-  LineState trial_;
+  Increments dq_;
+  SystemState trial_;
   StepMixing mixing_;
   Descent descent_;
-  double move_;
   double damping_ = 0.0;      ///< Viscous resistance to a step, per length [N/m2].
+  double share_ = 0.0;        ///< Of the last step that was taken.
   bool looked_ = false;       ///< Whether the system was evaluated at the state.
   bool has_tangent_ = false;  ///< Whether its blocks are those of the state.
   bool goes_well_ = true;     ///< Whether the last step ended at its first look.
@@ -237,9 +190,16 @@ class NewtonSearch {
 
 }  // namespace
 
-NewtonReport newton(StaticSystem& system, LineState& state, const LineTargetValue& target,
-                    const NewtonSettings& settings) {
-  return NewtonSearch(system, state, target, settings).run();
+NewtonReport solve_equilibrium(Equilibrium& equilibrium, SystemState& state, const NewtonSettings& settings) {
+  return NewtonSearch(equilibrium, state, settings).run();
+}
+
+NewtonReport solve_equilibrium(StaticSystem& system, LineState& pipe, const NewtonSettings& settings) {
+  SystemState state;
+  state.lines.push_back(std::move(pipe));
+  const NewtonReport report = solve_equilibrium(system.equilibrium(), state, settings);
+  pipe = std::move(state.lines.front());
+  return report;
 }
 
 }  // namespace overbend

@@ -1,21 +1,30 @@
-/// Newton's method with line search on a StaticSystem.
+/// Newton's method on the equations of rest.
 #pragma once
 
-#include <string>
+#include <optional>
+#include <utility>
 
 #include "statics/equations/static_system.h"
 
 namespace overbend {
 
+/// How far a step is taken. `least_work`: to where the unbalanced forces do no more work along it (Crisfield 1991,
+/// section 9.2), which needs no potential and so serves contact, friction and drag alike; damped where it leads uphill.
+/// `bounded_residual`: halved while the residual grows by more than a factor, undamped.
+enum class StepSearch { least_work, bounded_residual };
+
 struct NewtonSettings {
-  double tolerance = 1e-9;  ///< Largest unbalanced nodal force over the total weight.
+  double tolerance = 1e-9;  ///< Largest unbalanced nodal force over the force scale.
   int max_iterations = 60;
-  bool free_far_force = true;  ///< False: H stays, the extra equation is not looked at.
-  double entering = 1e30;      ///< No step drives the pipe deeper than this into a roller beyond where it is [m].
-  bool remembers = false;      ///< The tangent is not exact: steel remembers what happened upstream.
+  std::optional<EquilibriumTarget> target = std::nullopt;  ///< None: the far force stays.
+  double entering = 1e30;  ///< No step drives a line deeper than this into a roller beyond where it is [m].
+  bool remembers = false;  ///< The tangent is not exact: steel remembers what happened upstream.
+  StepSearch search = StepSearch::least_work;
+  double max_growth = 2.0;  ///< Of the residual in a step, under `bounded_residual`.
+  BodyStep body_step;
 };
 
-/// `slack`: what is wanted needs a far force below zero, the line would lie in compression.
+/// `slack`: the target needs a far force below zero, the line would lie in compression.
 enum class NewtonEnd { converged, too_many_iterations, singular, lost, slack };
 
 struct NewtonReport {
@@ -27,18 +36,15 @@ struct NewtonReport {
   bool converged() const { return end == NewtonEnd::converged; }
 };
 
-/// What the state lacks of what is wanted: of a tension, over it or the total weight, whichever is less; of the
-/// anchor's distance, over the total length.
-double relative_target_error(const StaticSystem& system, const LineState& state, const LineTargetValue& target);
-
-/// Iterates `state` towards equilibrium. Each step is limited in length and searched along for the point where the
-/// unbalanced forces do no more work (Crisfield 1991, section 9.2), which needs no potential and so serves contact,
-/// friction and drag alike. The far force takes its whole step before the search.
+/// Iterates `state` towards equilibrium. Each step is limited in length and searched along. The far force takes its
+/// whole step before the search.
 ///
 /// Where a step leads uphill (past a limit point: the pipe is about to snap to another place) or the search hardly
-/// moves, a viscous resistance per length is added to the step and H stays, until steps lead downhill again; it fades
-/// as they work.
-NewtonReport newton(StaticSystem& system, LineState& state, const LineTargetValue& target,
-                    const NewtonSettings& settings);
+/// moves, a viscous resistance per length is added to the step and the far force stays, until steps lead downhill
+/// again; it fades as they work.
+NewtonReport solve_equilibrium(Equilibrium& equilibrium, SystemState& state, const NewtonSettings& settings);
+
+/// Of a lay's pipe.
+NewtonReport solve_equilibrium(StaticSystem& system, LineState& pipe, const NewtonSettings& settings);
 
 }  // namespace overbend

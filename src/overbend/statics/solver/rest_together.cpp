@@ -1,9 +1,7 @@
 #include "statics/solver/rest_together.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "base/interruption.h"
 #include "statics/solver/lines_statics.h"
 
 namespace overbend {
@@ -13,22 +11,16 @@ namespace {
 constexpr double kLongTime = 1e6;
 constexpr double kGrowthHeld = 10.0;  ///< Of the residual, that an iteration may bring: cables stiffen as they turn.
 constexpr double kGrowthFree = 2.0;   ///< The same where bodies move: the pipe must not leave its rollers behind.
-constexpr int kHalvings = 8;
-constexpr int kTries = 300;       ///< Iterations of a line by itself.
-constexpr int kTogether = 20;     ///< Of all lines at once, before each is tried by itself.
-constexpr double kAlmost = 0.05;  ///< Unbalanced force from which Newton's method is tried again in the fallback.
-
-void add(MotionValues& values, double d) {
-  values.q += d;
-  values.v += d / kLongTime;
-}
+constexpr int kTries = 300;           ///< Iterations of a line by itself.
+constexpr int kTogether = 20;         ///< Of all lines at once, before each is tried by itself.
+constexpr double kAlmost = 0.05;      ///< Unbalanced force from which Newton's method is tried again in the fallback.
 
 /// Friction of the rollers as in statics, or by the slip.
 void set_static_friction(Assembly& assembly, bool of_statics) {
-  ContactEasing easing;
-  easing.friction = !of_statics;
-  easing.rub = assembly.system().rub;
-  for (std::size_t i = 0; i < assembly.system().lines.size(); ++i) assembly.line(i).contacts().ease(easing);
+  Continuation continuation;
+  continuation.friction_by_slip = !of_statics;
+  continuation.roller_friction = assembly.system().rub;
+  assembly.set(continuation);
 }
 
 class Rest {
@@ -38,7 +30,7 @@ class Rest {
         settings_(settings),
         before_(state),
         now_(state),
-        tried_(state),
+        equilibrium_(assembly, {LayHistory::monotonic, &before_, kLongTime}),
         dq_(assembly.increments()) {}
 
   RestReport find(SystemState& result) {
@@ -52,89 +44,33 @@ class Rest {
       }
     }
     if (!report_.converged) {
-      report_.residual = residual_of(now_, false);  // the last evaluation may have been of a try that was given up
+      report_.residual = residual_of(false);  // the last evaluation may have been of a try that was given up
     }
+    report_.worst_place = assembly_.worst_place();
     result = now_;
     at_rest(result);
     return report_;
   }
 
  private:
-  /// Residual of a state; with its tangent where it is asked for.
-  double residual_of(SystemState& at, bool tangent) {
-    check_interruption();
-    assembly_.set_time(at.time, at);
-    assembly_.impose_ends(at);
-    assembly_.evaluate(at, before_, {1.0 / kLongTime, 0.0, kLongTime}, tangent);
-    assembly_.hold(tangent);
-    const double residual = assembly_.relative_residual();
-    report_.worst_place = assembly_.worst_place();
-    return residual;
-  }
-
-  /// Share of the correction that keeps bodies within their bounds.
-  double bounded_share() const {
-    double share = 1.0;
-    for (std::size_t i = 0; i < now_.bodies.size(); ++i) {
-      const Vec6 dh = Eigen::Map<const Vec6>(dq_.back().data() + 6 * i);
-      share = std::min({share, settings_.largest_move / std::max(dh.head<3>().norm(), 1e-300),
-                        settings_.largest_turn / std::max(dh.tail<3>().norm(), 1e-300)});
-    }
-    return share;
-  }
-
-  /// Guides stand so where the correction was made; a try turns them with its bodies.
-  void keep_directions() {
-    directions_.clear();
-    for (const EndMotion& end : assembly_.surroundings().ends) {
-      directions_.push_back(end.direction);
-    }
-  }
-
-  void move(double share, bool lines, SystemState& to) const {
-    to = now_;
-    for (std::size_t line = 0; line < (lines ? to.lines.size() : 0); ++line) {
-      LineState& at = to.lines[line];
-      for (std::size_t i = 0; i < at.q.size(); ++i) {
-        at.q[i] += share * dq_[line][i];
-        at.v[i] += share * dq_[line][i] / kLongTime;
-      }
-    }
-    for (std::size_t i = 0; i < to.bodies.size(); ++i) {
-      const Vec6 dh = share * Eigen::Map<const Vec6>(dq_.back().data() + 6 * i);
-      to.bodies[i].h += dh;
-      to.bodies[i].v += dh / kLongTime;
-    }
-    for (std::size_t i = 0; i < (lines ? to.attachments.size() : 0); ++i) {
-      const Attachment& held = assembly_.system().attachments[i];
-      const std::size_t line = static_cast<std::size_t>(held.line);
-      const double* part = dq_[line].data() + 6 * assembly_.line(line).end_node(held.end);
-      const Vec3& direction = directions_[i];
-      add(to.attachments[i].guide, share * direction.dot(Vec3(Eigen::Map<const Vec3>(part + 3))));
-      if (static_cast<int>(i) == assembly_.system().machine) {
-        add(to.attachments[i].travel, -share * direction.dot(Vec3(Eigen::Map<const Vec3>(part))));
-      }
-    }
+  /// Residual of the state; with its tangent where it is asked for.
+  double residual_of(bool tangent) {
+    equilibrium_.evaluate(now_, tangent);
+    equilibrium_.hold(tangent);
+    return equilibrium_.relative_residual();
   }
 
   void newton(int most, double growth) {
-    for (int i = 0; i < most; ++i) {
-      report_.residual = residual_of(now_, true);
-      report_.converged = report_.residual < settings_.tolerance && assembly_.contacts_settled();
-      if (report_.converged || !(report_.residual < 1e30) || !assembly_.solve_factored(dq_)) {
-        return;
-      }
-      ++report_.iterations;
-      assembly_.end_iteration(now_);
-      keep_directions();
-      double share = bounded_share();
-      move(share, true, tried_);
-      for (int k = 0; k < kHalvings && !(residual_of(tried_, false) < growth * report_.residual); ++k) {
-        share *= 0.5;
-        move(share, true, tried_);
-      }
-      std::swap(now_, tried_);
-    }
+    NewtonSettings settings;
+    settings.tolerance = settings_.tolerance;
+    settings.max_iterations = most - 1;
+    settings.search = StepSearch::bounded_residual;
+    settings.max_growth = growth;
+    settings.body_step = settings_.body_step;
+    const NewtonReport report = solve_equilibrium(equilibrium_, now_, settings);
+    report_.converged = report.converged();
+    report_.residual = report.residual;
+    report_.iterations += report.iterations;
   }
 
   /// Newton's method for all; where it fails all is as it was.
@@ -149,14 +85,13 @@ class Rest {
   /// Lines between held ends, each by itself and searched along its steps: points of the bed's friction that now stick
   /// and now slide send a whole Newton step to and fro. What lies on rollers is left as it is.
   void rest_one_by_one() {
-    residual_of(now_, false);  // ends in their places
+    residual_of(false);  // ends in their places
     for (std::size_t i = 0; i < now_.lines.size(); ++i) {
       if (assembly_.line(i).contacts().count() > 0) continue;
-      LineState line = now_.lines[i];
-      const NewtonReport rest =
-          rest_line(assembly_, i, before_.lines[i], kLongTime, line, {settings_.tolerance, kTries});
+      const LineState start = now_.lines[i];
+      const NewtonReport rest = rest_line(assembly_, i, before_, kLongTime, now_, {settings_.tolerance, kTries});
       report_.iterations += rest.iterations;
-      if (rest.converged()) now_.lines[i] = std::move(line);
+      if (!rest.converged()) now_.lines[i] = start;
     }
   }
 
@@ -180,11 +115,11 @@ class Rest {
   /// A round of the fallback: lines on held bodies, then the bodies by half a step.
   void move_bodies() {
     rest_lines();
-    report_.residual = residual_of(now_, true);
-    if (assembly_.solve_factored(dq_)) {
-      move(0.5 * bounded_share(), false, tried_);
-      std::swap(now_, tried_);
-    }
+    report_.residual = residual_of(true);
+    if (!equilibrium_.solve(0.0, false, dq_)) return;
+    for (std::size_t i = 0; i < now_.lines.size(); ++i) std::fill(dq_[i].begin(), dq_[i].end(), 0.0);
+    const SystemState from = now_;
+    equilibrium_.advance(now_, from, dq_, 0.5 * equilibrium_.body_limit(dq_, settings_.body_step));
   }
 
   /// Holds what is free of the bodies; returns what it held.
@@ -204,6 +139,7 @@ class Rest {
   void at_rest(SystemState& state) {
     for (LineState& line : state.lines) {
       std::fill(line.v.begin(), line.v.end(), 0.0);
+      line.low.clear();
     }
     for (HullState& body : state.bodies) {
       body.v.setZero();
@@ -216,9 +152,9 @@ class Rest {
   Assembly& assembly_;
   RestSettings settings_;
   const SystemState before_;
-  SystemState now_, tried_;
+  SystemState now_;
+  Equilibrium equilibrium_;
   Increments dq_;
-  std::vector<Vec3> directions_;
   RestReport report_;
 };
 

@@ -1,16 +1,15 @@
 /// ModelEquilibrium of lines and free bodies together.
 #pragma once
 
-#include "system/assembly.h"
+#include "statics/equations/equilibrium.h"
 
 namespace overbend {
 
 struct RestSettings {
-  double tolerance = 1e-8;       ///< Largest unbalanced force over the force scale, of lines and bodies.
-  int max_iterations = 100;      ///< Of Newton's method for all together.
-  int max_rounds = 40;           ///< Of the fallback: lines on held bodies, then the bodies by half a step.
-  double largest_move = 0.3;     ///< Of a body in an iteration [m]: rollers are stiff.
-  double largest_turn = 0.0087;  ///< [rad]
+  double tolerance = 1e-8;   ///< Largest unbalanced force over the force scale, of lines and bodies.
+  int max_iterations = 100;  ///< Of Newton's method for all together.
+  int max_rounds = 40;       ///< Of the fallback: lines on held bodies, then the bodies by half a step.
+  BodyStep body_step;        ///< Short: rollers are stiff.
 };
 
 struct RestReport {

@@ -67,7 +67,7 @@ class EquilibriumTangent {
   const Model* model_;
   const StaticSolution* solution_;
   StaticSystem system_;
-  LineTargetValue target_;
+  EquilibriumTarget target_;
   bool regular_ = false;
   std::vector<char> carries_;  ///< By roller.
   /// Of steel that remembers: changes looked at so far, and what they do; orthonormal in what they do.

@@ -15,7 +15,7 @@ std::optional<StaticFailure> bent_route_obstacle(const Description& description)
   if (has_cable(description)) {
     return obstacle("route", "a line with a cable on a route that bends cannot be solved yet", "leave out route");
   }
-  if (wanted_of(description).kind == LineTargetValue::Kind::anchor_distance) {
+  if (wanted_of(description).kind == EquilibriumTarget::Kind::anchor_distance) {
     return obstacle("pipe.anchor", "an anchor's distance on a route that bends cannot be solved yet",
                     "give tensioner.tension in place of pipe.anchor");
   }

@@ -85,11 +85,11 @@ double highest_bed(const LayPlane& plane) {
 /// A line with a cable in it: its sections hang where they are.
 StartingPoint stage_start(const Model& model, const LayPlane& plane, StartingPoint start) {
   const Description& d = model.description;
-  start.target = {LineTargetValue::Kind::top_tension, d.tensioner.tension.value_or(0.0)};
+  start.target = {EquilibriumTarget::Kind::top_tension, d.tensioner.tension.value_or(0.0)};
   double tension = start.target.value;
   if (!d.tensioner.tension) {
     const double distance = *d.pipe.anchor - d.tensioner.x;
-    start.target = {LineTargetValue::Kind::anchor_distance, distance};
+    start.target = {EquilibriumTarget::Kind::anchor_distance, distance};
     const auto reach = [&](double pull) {
       const LayShape shape = stage_shape(model, plane, pull);
       return shape.problem.empty() ? shape.distance.back() : 0.0;
@@ -141,11 +141,11 @@ double tension_for_anchor(const Model& model, const LayPlane& plane) {
   return tension_that_reaches(reach, 1.001 * hanging, 50.0 * hanging, wanted_of(d).value);
 }
 
-LineTargetValue wanted_of(const Description& description) {
+EquilibriumTarget wanted_of(const Description& description) {
   if (description.tensioner.tension || !description.pipe.length || !description.pipe.anchor) {
-    return {LineTargetValue::Kind::top_tension, description.tensioner.tension.value_or(0.0)};
+    return {EquilibriumTarget::Kind::top_tension, description.tensioner.tension.value_or(0.0)};
   }
-  return {LineTargetValue::Kind::anchor_distance, *description.pipe.anchor - description.tensioner.x};
+  return {EquilibriumTarget::Kind::anchor_distance, *description.pipe.anchor - description.tensioner.x};
 }
 
 namespace {
@@ -195,7 +195,7 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
   if (has_cable(d)) return stage_start(model, plane, std::move(start));
   const double least = hanging_weight(model, plane, highest_bed(plane));
   start.target = wanted_of(d);
-  const bool anchored = start.target.kind == LineTargetValue::Kind::anchor_distance;
+  const bool anchored = start.target.kind == EquilibriumTarget::Kind::anchor_distance;
   const double tension = anchored ? tension_for_anchor(model, plane) : start.target.value;
   if (tension <= least) {
     start.failure = too_little_tension(tension, least);
@@ -242,7 +242,7 @@ StartingPoint point_beside(const Model& model, const LayPlane& plane, const Stat
   start.failure = impossible(model, plane);
   if (start.failure) return start;
   start.target = wanted_of(d);
-  if (start.target.kind == LineTargetValue::Kind::top_tension) {
+  if (start.target.kind == EquilibriumTarget::Kind::top_tension) {
     const double least = hanging_weight(model, plane, highest_bed(plane));
     if (start.target.value <= least) {
       start.failure = too_little_tension(start.target.value, least);

@@ -14,14 +14,14 @@ namespace overbend {
 struct StartingPoint {
   LayShape shape;
   MeshZones zones;
-  LineTargetValue target;
+  EquilibriumTarget target;
   double tail = 0.0;  ///< Laid length behind touchdown [m].
   std::optional<StaticFailure> failure;
   bool shaped = true;  ///< Whether there is a shape; see point_beside.
 };
 
 /// What the model wants of the line: the tension at the tensioner, or else the place of the anchor.
-LineTargetValue wanted_of(const Description& description);
+EquilibriumTarget wanted_of(const Description& description);
 
 /// Tension of the guess whose line of pipe.length has its far end at the distance pipe.anchor [N].
 double tension_for_anchor(const Model& model, const LayPlane& plane);

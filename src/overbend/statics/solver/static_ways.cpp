@@ -17,8 +17,6 @@
 namespace overbend {
 namespace {
 
-using Target = LineTargetValue;
-
 constexpr int kRememberingMore = 3;   ///< Times as many iterations where steel remembers: they converge linearly.
 constexpr double kMostWork = 2.3e6;   ///< What a case may cost, in Newton steps times elements: 3 s or so.
 constexpr double kOfRoller = 0.25;    ///< Time of a roller over that of an element,
@@ -40,13 +38,21 @@ double soft_bed(const StaticCase& at) {
   return pipe.weight_submerged / (0.5 * pipe.outer_diameter);
 }
 
-bool run_newton(StaticCase& at, NewtonSettings settings, const char* stage) {
-  if (at.spent()) {
-    return false;
-  }
+/// Changes parameters of the continuation; the others stay.
+template <class Change>
+void ease(StaticCase& at, const Change& change) {
+  Continuation continuation = at.system.continuation();
+  change(continuation);
+  at.system.set(continuation);
+}
+
+/// One stage of a way: how much easier than the model it is, and how it is solved.
+bool run_newton(StaticCase& at, const Continuation& continuation, NewtonSettings settings, const char* stage) {
+  at.system.set(continuation);
+  if (at.spent()) return false;
   settings.remembers = at.system.remembers();
   settings.max_iterations = at.model.description.statics.max_iterations * (settings.remembers ? kRememberingMore : 1);
-  const NewtonReport r = newton(at.system, at.state, at.target, settings);
+  const NewtonReport r = solve_equilibrium(at.system, at.state, settings);
   at.work += at.size() * (r.iterations + kLookWithout * r.trials);
   at.report.iterations += r.iterations;
   at.report.force_residual = r.residual;
@@ -58,14 +64,19 @@ bool run_newton(StaticCase& at, NewtonSettings settings, const char* stage) {
   return r.converged();
 }
 
-NewtonSettings loosely() {
+NewtonSettings to_tolerance(const StaticCase& at, double tolerance) {
   NewtonSettings settings;
-  settings.tolerance = 1e-3;
+  settings.tolerance = tolerance;
+  settings.target = at.target;
   return settings;
 }
 
 NewtonSettings loosely(const StaticCase& at) {
-  NewtonSettings settings = loosely();
+  return to_tolerance(at, 1e-3);
+}
+
+/// So that no roller is struck hard.
+NewtonSettings gently(NewtonSettings settings, const StaticCase& at) {
   settings.entering = 0.25 * at.model.sections.front().outer_diameter;
   return settings;
 }
@@ -87,10 +98,7 @@ double rounding(const StaticCase& at) {
 }
 
 NewtonSettings finally(const StaticCase& at) {
-  NewtonSettings settings;
-  settings.tolerance = std::max(at.model.description.statics.tolerance, rounding(at));
-  settings.entering = 0.25 * at.model.sections.front().outer_diameter;
-  return settings;
+  return gently(to_tolerance(at, std::max(at.model.description.statics.tolerance, rounding(at))), at);
 }
 
 /// For one of several steps towards an end.
@@ -105,15 +113,17 @@ struct Steps {
   double first = 0.25, growth = 1.5, least = 1e-3;
 };
 
-/// Follows the solutions from where `set(0)` was solved to `set(1)`: a step that fails is taken back and halved, one
-/// that works lets the next be longer.
-bool follow_in_steps(StaticCase& at, const char* stage, const Steps& steps, const std::function<void(double)>& set) {
+/// Follows the solutions from where `reached` of 0 was solved to 1, `ease` being how the parameters follow it: a step
+/// that fails is taken back and halved, one that works lets the next be longer.
+bool follow_in_steps(StaticCase& at, const char* stage, const Steps& steps,
+                     const std::function<void(double reached, Continuation&)>& ease) {
+  Continuation continuation = at.system.continuation();
   double reached = 0.0, step = steps.first;
   while (reached < 1.0 && step > steps.least && !at.spent()) {
     const LineState before = at.state;
     const double next = std::min(1.0, reached + step);
-    set(next);
-    if (run_newton(at, next < 1.0 ? nearly(at) : finally(at), stage)) {
+    ease(next, continuation);
+    if (run_newton(at, continuation, next < 1.0 ? nearly(at) : finally(at), stage)) {
       reached = next;
       step *= steps.growth;
     } else {
@@ -132,15 +142,15 @@ bool rollers_lean(const StaticCase& at) {
 
 /// Soft rollers, then harder ones, in the vertical plane: no current, and no side rollers but where the vessel heels.
 bool settle_in_plane(StaticCase& at) {
-  const double soft = soft_roller(at, at.target.value);
-  at.system.use_side_rollers(rollers_lean(at));
-  at.system.scale_current(0.0);
-  at.system.limit_roller_stiffness(soft);
-  NewtonSettings settings = loosely();
-  settings.free_far_force = false;
-  run_newton(at, settings, "soft rollers");
-  at.system.limit_roller_stiffness(10.0 * soft);
-  return run_newton(at, loosely(), "harder rollers");
+  Continuation in_plane = at.system.continuation();
+  in_plane.side_rollers = rollers_lean(at);
+  in_plane.current = 0.0;
+  in_plane.max_roller_stiffness = soft_roller(at, at.target.value);
+  NewtonSettings at_given_force = loosely(at);
+  at_given_force.target.reset();
+  run_newton(at, in_plane, at_given_force, "soft rollers");
+  in_plane.max_roller_stiffness *= 10.0;
+  return run_newton(at, in_plane, loosely(at), "harder rollers");
 }
 
 /// Whether any roller carries the pipe; a line without supports needs none.
@@ -154,12 +164,22 @@ bool spatial(const StaticCase& at) {
                      [](const Roller& r) { return r.position != RollerPosition::bottom; });
 }
 
-/// Everything acts as the model says it.
-void set_whole(StaticCase& at) {
-  at.system.use_side_rollers(true);
-  at.system.scale_current(1.0);
-  at.system.limit_roller_stiffness(1e300);
-  at.system.limit_bed_stiffness(1e300);
+constexpr double kNoLimit = 1e300;
+
+/// Side rollers and current act as the model says it; rollers are this stiff at most.
+Continuation in_space(const StaticCase& at, double max_roller_stiffness = kNoLimit) {
+  Continuation continuation = at.system.continuation();
+  continuation.side_rollers = true;
+  continuation.current = 1.0;
+  continuation.max_roller_stiffness = max_roller_stiffness;
+  return continuation;
+}
+
+/// The bed acts as the model says it, too, where it is not softened.
+Continuation whole(const StaticCase& at, double max_roller_stiffness = kNoLimit, double max_bed_stiffness = kNoLimit) {
+  Continuation continuation = in_space(at, max_roller_stiffness);
+  continuation.max_bed_stiffness = max_bed_stiffness;
+  return continuation;
 }
 
 /// Rollers from soft to hard, first in the vertical plane, then with side rollers and current.
@@ -167,12 +187,9 @@ bool harden(StaticCase& at) {
   if (!settle_in_plane(at)) {
     return false;
   }
-  at.system.use_side_rollers(true);
-  at.system.scale_current(1.0);
-  at.system.limit_roller_stiffness(100.0 * soft_roller(at, at.target.value));
-  run_newton(at, loosely(at), spatial(at) ? "side rollers and current" : "hard rollers");
-  at.system.limit_roller_stiffness(1e300);
-  return run_newton(at, finally(at), "full stiffness") && carried(at);
+  run_newton(at, in_space(at, 100.0 * soft_roller(at, at.target.value)), gently(loosely(at), at),
+             spatial(at) ? "side rollers and current" : "hard rollers");
+  return run_newton(at, in_space(at), finally(at), "full stiffness") && carried(at);
 }
 
 /// A cable, which does not bend, turns sharply on each roller: from soft rollers to hard ones it takes steps.
@@ -188,16 +205,14 @@ bool ease_in_current(StaticCase& at) {
     return false;
   }
   constexpr double kFirst = 0.02, kGrowth = 1.5;
-  at.system.use_side_rollers(true);
-  at.system.limit_roller_stiffness(1e300);
-  at.system.scale_current(kFirst);
-  if (!run_newton(at, finally(at), "rising current")) {
+  Continuation first = in_space(at);
+  first.current = kFirst;
+  if (!run_newton(at, first, finally(at), "rising current")) {
     return false;
   }
   const Steps steps{.first = std::log(kGrowth) / -std::log(kFirst), .growth = 1.0, .least = 2e-3};
-  return follow_in_steps(at, "rising current", steps,
-                         [&](double reached) { at.system.scale_current(std::pow(kFirst, 1.0 - reached)); }) &&
-         follow(at, "full current") && carried(at);
+  const auto raise = [](double reached, Continuation& c) { c.current = std::pow(kFirst, 1.0 - reached); };
+  return follow_in_steps(at, "rising current", steps, raise) && follow(at, "full current") && carried(at);
 }
 
 /// Rollers and bed from ten times a soft roller and a soft bed, which the state is the solution of, to what they are.
@@ -205,22 +220,23 @@ bool harden_in_steps(StaticCase& at) {
   const double soft = 10.0 * soft_roller(at, at.target.value), bed = soft_bed(at);
   const double rollers = std::max(hardest_roller(at) / soft, 1.0),
                beds = std::max(at.model.seabed.stiffness / bed, 1.0);
-  return follow_in_steps(at, "hardening in steps", Steps{}, [&](double reached) {
-    at.system.limit_roller_stiffness(reached < 1.0 ? soft * std::pow(rollers, reached) : 1e300);
-    at.system.limit_bed_stiffness(reached < 1.0 ? bed * std::pow(beds, reached) : 1e300);
+  return follow_in_steps(at, "hardening in steps", Steps{}, [&](double reached, Continuation& continuation) {
+    continuation.max_roller_stiffness = reached < 1.0 ? soft * std::pow(rollers, reached) : kNoLimit;
+    continuation.max_bed_stiffness = reached < 1.0 ? bed * std::pow(beds, reached) : kNoLimit;
   });
 }
 
 /// On soft rollers and a soft bed, which no step strikes hard, the current rises in steps; then both harden in steps.
 bool ease_in_everything(StaticCase& at) {
-  at.system.limit_bed_stiffness(soft_bed(at));
+  ease(at, [&](Continuation& c) { c.max_bed_stiffness = soft_bed(at); });
   if (!settle_in_plane(at)) {
     return false;
   }
-  at.system.use_side_rollers(true);
-  return follow_in_steps(at, "rising current on soft rollers", Steps{},
-                         [&](double reached) { at.system.scale_current(reached); }) &&
-         harden_in_steps(at) && carried(at);
+  const auto raise = [](double reached, Continuation& continuation) {
+    continuation.side_rollers = true;
+    continuation.current = reached;
+  };
+  return follow_in_steps(at, "rising current on soft rollers", Steps{}, raise) && harden_in_steps(at) && carried(at);
 }
 
 /// The bed rises from a level one at the height where the first guess lands to its shape.
@@ -232,11 +248,16 @@ bool raise_bed(StaticCase& at) {
   const double height = landing.z[static_cast<std::size_t>(touchdown - landing.length.begin())] - level.radius;
   level.surface = BedSurface(height * Vec3::UnitZ(), Vec3::UnitZ());
   at.state = sample_shape(at.system, lay_shape(at.model, level, at.target.value));
-  at.system.scale_bed_relief(0.0, height);
-  const bool risen = harden(at) && follow_in_steps(at, "bed raised to its shape", Steps{}, [&](double reached) {
-                       at.system.scale_bed_relief(reached, height);
-                     });
-  at.system.scale_bed_relief(1.0, 0.0);
+  ease(at, [&](Continuation& c) {
+    c.bed_relief = 0.0;
+    c.bed_level = height;
+  });
+  const auto raise = [](double reached, Continuation& c) { c.bed_relief = reached; };
+  const bool risen = harden(at) && follow_in_steps(at, "bed raised to its shape", Steps{}, raise);
+  ease(at, [](Continuation& c) {
+    c.bed_relief = 1.0;
+    c.bed_level = 0.0;
+  });
   return risen && carried(at);
 }
 
@@ -266,8 +287,8 @@ bool descend(StaticCase& at) {
 }
 
 bool relax_and_finish(StaticCase& at) {
-  set_whole(at);
-  at.system.limit_roller_stiffness(100.0 * soft_roller(at, at.target.value));
+  const Continuation hard = whole(at, 100.0 * soft_roller(at, at.target.value));
+  at.system.set(hard);
   RelaxationSettings settings;
   if (at.model.description.statics.method == StaticMethod::newton) {  // one who asks for relaxation shall have it all
     const double step = kLookWithout * at.size();
@@ -282,7 +303,7 @@ bool relax_and_finish(StaticCase& at) {
   if (r.diverged || !std::isfinite(r.residual)) {
     return false;
   }
-  run_newton(at, loosely(at), "Newton after relaxation");
+  run_newton(at, hard, gently(loosely(at), at), "Newton after relaxation");
   return follow(at, "full stiffness");
 }
 
@@ -308,7 +329,7 @@ void look_on_rollers(StaticCase& at, const LayShape& shape) {
   at.state = beside;
   at.report.force_residual = residual;
   at.least_found = least;
-  set_whole(at);
+  at.system.set(whole(at));
   at.system.evaluate(at.state, true);
 }
 
@@ -334,7 +355,7 @@ struct Resort {
     at.state = *state;
     at.report.method = method + ", for want of a better end";
     at.report.force_residual = residual;
-    set_whole(at);
+    at.system.set(whole(at));
     at.system.evaluate(at.state, true);
     return true;
   }
@@ -355,7 +376,7 @@ bool try_ways(StaticCase& at, const LayShape& shape, Resort& resort) {
       look_on_rollers(at, shape);
       return true;
     }
-    if (at.model.seabed.surface.shape() != nullptr && at.target.kind == Target::Kind::top_tension) {
+    if (at.model.seabed.surface.shape() != nullptr && at.target.kind == EquilibriumTarget::Kind::top_tension) {
       at.report.method = "newton, bed raised to its shape";
       if (works(raise_bed(at))) {
         look_on_rollers(at, shape);
@@ -376,9 +397,9 @@ bool try_ways(StaticCase& at, const LayShape& shape, Resort& resort) {
     if (at.least_found > 0.0) {
       return false;  // the gentlest way, too, ends in a line that lies slack: no other tells more
     }
-    at.system.limit_bed_stiffness(1e300);
+    ease(at, [](Continuation& c) { c.max_bed_stiffness = kNoLimit; });
     at.report.method = "newton, tension lowered in steps";
-    if (at.target.kind == Target::Kind::top_tension && works(descend(at))) {
+    if (at.target.kind == EquilibriumTarget::Kind::top_tension && works(descend(at))) {
       return true;
     }
     at.state = sample_shape(at.system, shape);
@@ -399,15 +420,12 @@ double StaticCase::most_work() const {
 }
 
 bool follow(StaticCase& at, const char* stage) {
-  set_whole(at);
-  return run_newton(at, finally(at), stage);
+  return run_newton(at, whole(at), finally(at), stage);
 }
 
 bool follow_softly(StaticCase& at) {
-  set_whole(at);
-  at.system.limit_roller_stiffness(10.0 * soft_roller(at, at.target.value));
-  at.system.limit_bed_stiffness(soft_bed(at));
-  return run_newton(at, nearly(at), "softened") && harden_in_steps(at);
+  const Continuation soft = whole(at, 10.0 * soft_roller(at, at.target.value), soft_bed(at));
+  return run_newton(at, soft, nearly(at), "softened") && harden_in_steps(at);
 }
 
 bool solve_elastic(StaticCase& at, const LayShape& shape) {
@@ -432,7 +450,7 @@ std::string box_at(const StaticCase& at, int element) {
 
 /// Where the equilibrium of linear steel bends pipe most beyond first yield.
 std::string most_bent(StaticCase& at) {
-  at.system.let_yield(0.0);
+  make_elastic(at);
   at.system.evaluate(at.state, false);
   const LineMesh& mesh = at.system.mesh();
   double ratio = 0.0;
@@ -460,15 +478,19 @@ std::string most_bent(StaticCase& at) {
 
 }  // namespace
 
+void make_elastic(StaticCase& at) {
+  ease(at, [](Continuation& c) { c.yielding = 0.0; });
+}
+
 bool let_yield(StaticCase& at) {
-  at.system.let_yield(1.0);
+  ease(at, [](Continuation& c) { c.yielding = 1.0; });
   const LineState elastic = at.state;
   if (!at.system.line().yielding.any || follow(at, "yielding steel")) {
     return true;
   }
   at.state = elastic;
   const bool solved = follow_in_steps(at, "yielding in steps", Steps{.first = 0.25, .growth = 1.0, .least = 0.0025},
-                                      [&](double reached) { at.system.let_yield(reached); });
+                                      [](double reached, Continuation& c) { c.yielding = reached; });
   if (!solved) {
     at.state = elastic;
     at.yielded = most_bent(at);

@@ -14,7 +14,7 @@ struct StaticCase {
   const Model& model;
   StaticSystem system;
   LineState state;
-  LineTargetValue target;
+  EquilibriumTarget target;
   SolveReport report;
   double work = 0.0;         ///< Done so far: Newton steps times `size()`, and what else is looked at in their measure.
   double least_found = 0.0;  ///< Where a try ended without tension at the seabed: tension at the top then, else 0 [N].
@@ -35,6 +35,9 @@ struct StaticCase {
 
 /// Tries one way after another from the guess, with linear steel; the report names the one that worked.
 bool solve_elastic(StaticCase& at, const LayShape& shape);
+
+/// The steel is linear, until let_yield().
+void make_elastic(StaticCase& at);
 
 /// From the elastic shape to that of steel that yields: at once, or the plastic moments in steps.
 bool let_yield(StaticCase& at);

@@ -46,7 +46,7 @@ bool mesh_fits(const Model& model, const StaticSolution& start) {
 }
 
 bool solve_from_shape(StaticCase& at, const LayShape& shape) {
-  at.system.let_yield(0.0);
+  make_elastic(at);
   return solve_elastic(at, shape) && let_yield(at);
 }
 
@@ -57,7 +57,7 @@ bool solve_on_new_mesh(StaticCase& at, const LayShape& shape) {
     return true;
   }
   at.state = moved;
-  at.system.let_yield(0.0);
+  make_elastic(at);
   at.least_found = 0.0;
   const bool solved = follow_softly(at) && let_yield(at);
   return solved || (at.least_found == 0.0 && solve_from_shape(at, shape));
@@ -160,8 +160,8 @@ StaticOutcome give_up(const StaticCase& at, double hanging) {
 }
 
 /// What the state has of what is wanted: of a tension by the balance of the whole line, which says nothing of strains.
-double found(StaticCase& at, const LineTargetValue& wanted) {
-  if (wanted.kind == LineTargetValue::Kind::anchor_distance) {
+double found(StaticCase& at, const EquilibriumTarget& wanted) {
+  if (wanted.kind == EquilibriumTarget::Kind::anchor_distance) {
     return wanted.value + at.system.target_error(at.state, wanted);
   }
   at.system.evaluate(at.state, false);
@@ -172,12 +172,12 @@ double found(StaticCase& at, const LineTargetValue& wanted) {
 
 /// What was asked for, looked at once more by itself: the ways change the target while they follow a solution, and
 /// strains miss the forces where the pipe bends more sharply than its elements can.
-std::optional<StaticFailure> missed(StaticCase& at, const LineTargetValue& wanted) {
+std::optional<StaticFailure> missed(StaticCase& at, const EquilibriumTarget& wanted) {
   const double value = found(at, wanted);
   if (std::abs(value - wanted.value) <= kLargestMiss * std::abs(wanted.value)) {
     return std::nullopt;
   }
-  const bool tension = wanted.kind == LineTargetValue::Kind::top_tension;
+  const bool tension = wanted.kind == EquilibriumTarget::Kind::top_tension;
   const char* const unit = tension ? "N" : "m";
   return StaticFailure{tension ? "the set tension is not reached" : "the anchor is not reached", "at the tensioner",
                        fmt::format("{} is specified and {} found, although the forces balance: look for boxes far off "
@@ -198,10 +198,10 @@ bool shares_stretch(const StaticCase& at) {
 }
 
 /// Beside such a step what is asked of the stretch is changed until the balance of the whole line has what is wanted.
-bool meet_by_balance(StaticCase& at, const LineTargetValue& wanted) {
+bool meet_by_balance(StaticCase& at, const EquilibriumTarget& wanted) {
   constexpr int kMost = 8;
   constexpr double kNear = 1e-5;
-  if (wanted.kind != LineTargetValue::Kind::top_tension || !shares_stretch(at)) return true;
+  if (wanted.kind != EquilibriumTarget::Kind::top_tension || !shares_stretch(at)) return true;
   for (int i = 0; i < kMost; ++i) {
     const double value = found(at, wanted);
     if (value <= 0.0 || std::abs(value - wanted.value) <= kNear * wanted.value) break;
@@ -215,7 +215,11 @@ bool meet_by_balance(StaticCase& at, const LineTargetValue& wanted) {
 
 StaticSystem system_with_past(const Model& model, LineMesh mesh, const LinePast& past) {
   StaticSystem system(model, model.mean_pose, std::move(mesh));
-  if (past.across_rollers != 0.0) system.rub_across(past.across_rollers);
+  if (past.across_rollers != 0.0) {
+    Continuation continuation = system.continuation();
+    continuation.roller_friction.across = past.across_rollers;
+    system.set(continuation);
+  }
   if (past.solution && system.line().yielding.any) {
     const StaticSolution& before = *past.solution;
     system.begin_with(moved_along({before.mesh, before.state.q, before.bending, before.pushes}, past.shift,
