@@ -73,7 +73,6 @@ System tied_body(double EA, const SpringBody& springs) {
   system.bodies[0].free = free_body(springs);
   hold_on_body(last_end(system), Vec3(4.0, 0.0, 0.0));
   hold(first_end(system), true, false);
-  system.machine = -1;
   return system;
 }
 
@@ -101,12 +100,12 @@ TEST(free_body, with_an_ideal_winch_feels_the_constant_tension_of_its_line) {
   springs.stiffness = Vec6::Constant(600.0);
   constexpr double kTension = 80.0, kStretch = 0.01;
   System system = tied_body(kTension / kStretch, springs);
-  system.machine = 1;
-  system.attachments[1].tensioner.mode = TensionerMode::constant;
-  system.attachments[1].tensioner.wanted = kTension;
+  TensionerLaw& law = system.attachments[1].tensioner.emplace();
+  law.mode = TensionerMode::constant;
+  law.wanted = kTension;
   system.attachments[1].place = Vec3(4.0 * (1.0 + kStretch), 0.0, 0.0);
   BodyRun run(system, {straight(system, Vec3::Zero(), Vec3::UnitX(), kStretch)});
-  run.assembly().set_drive(TensionerDrive::governor);
+  run.assembly().set_drive(0, TensionerDrive::governor);
   run.begin();
   const double omega = std::sqrt(600.0 / springs.body.mass);
   const double h = 2.0 * std::numbers::pi / omega / 400.0;
@@ -135,7 +134,6 @@ System between_cables() {
   hold(system.attachments[3], true, true);
   hold(system.attachments[0], true, false);
   hold(system.attachments[2], true, false);
-  system.machine = -1;
   return system;
 }
 
@@ -219,7 +217,6 @@ System heavy_with_rod(bool free) {
   law.friction_axial = law.friction_lateral = 0.3;
   system.bodies[0].rollers = {roller_under(1.3, 0.01, law)};
   system.bodies[0].cells = endless_cells();
-  system.machine = -1;
   if (free) {
     SpringBody heavy;
     heavy.body = {1e12, Mat3(Vec3(1e12, 1e12, 1e12).asDiagonal())};

@@ -47,7 +47,7 @@ bool balance(Assembly& assembly, const SystemState& now, double h, SystemState& 
     const double* at = dq[line].data() + 6 * assembly.line(line).end_node(held.end);
     const Vec3& direction = assembly.surroundings().ends[i].direction;
     next.attachments[i].guide.acc += kMassDominates * direction.dot(Vec3(Eigen::Map<const Vec3>(at + 3)));
-    if (static_cast<int>(i) == system.machine && held.tensioner.mode == TensionerMode::constant) {
+    if (held.tensioner && held.tensioner->mode == TensionerMode::constant) {
       next.attachments[i].travel.acc -= kMassDominates * direction.dot(Vec3(Eigen::Map<const Vec3>(at)));
     }
   }
@@ -64,8 +64,11 @@ void finish(const MotionValues& now, double h, MotionValues& next) {
 bool explicit_step(Assembly& assembly, const SystemState& now, double h, SystemState& next) {
   predict(now, h, next);
   assembly.set_time(next.time, next);
-  const std::size_t machine = static_cast<std::size_t>(assembly.system().machine);
-  assembly.set_drive(first_drive(tensioner_of(assembly.system()), now.attachments[machine].machine));
+  for (std::size_t i = 0; i < assembly.tensioners().size(); ++i) {
+    const std::size_t attachment = assembly.tensioners()[i].attachment;
+    assembly.set_drive(
+        i, first_drive(*assembly.system().attachments[attachment].tensioner, now.attachments[attachment].machine));
+  }
   assembly.impose_ends(next);
   if (!balance(assembly, now, h, next)) {
     return false;

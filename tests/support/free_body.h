@@ -75,7 +75,6 @@ inline System body_with_lines(const SpringBody& springs, double friction = 0.3) 
   system.bodies[0].rollers = {roller};
   system.bodies[0].cells = endless_cells();
   system.bodies[0].free = free_body(springs, Vec3(12.0, 1.5, 0.0));
-  system.machine = -1;
   return system;
 }
 

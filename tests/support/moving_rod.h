@@ -51,7 +51,6 @@ inline System rod_system(const RodMaterial& material, double length, int count) 
   system.bodies.resize(1);
   system.attachments.resize(2);
   last_end(system).end = LineEnd::last;
-  system.machine = 1;
   system.lines.resize(1);
   Line& line = rod_of(system);
   const double h = length / count;

@@ -66,7 +66,7 @@ class Tangent {
         values.acc += share * weights_.acceleration * d;
       };
       add(at.attachments[i].guide, direction.dot(Vec3(Eigen::Map<const Vec3>(part + 3))));
-      if (static_cast<int>(i) == system_.machine) {
+      if (held.tensioner.has_value()) {
         add(at.attachments[i].travel, -direction.dot(Vec3(Eigen::Map<const Vec3>(part))));
       }
     }
@@ -98,7 +98,7 @@ class Tangent {
         }
       };
       keep_along(held.hold_direction, 3);
-      keep_along(static_cast<int>(i) == system_.machine, 0);
+      keep_along(held.tensioner.has_value(), 0);
     }
     return residual;
   }
@@ -107,7 +107,9 @@ class Tangent {
   /// the bodies.
   std::pair<double, double> error() {
     assembly_->set_time(0.0, state);
-    assembly_->set_drive(system_.machine < 0 ? TensionerDrive::brake : TensionerDrive::governor);
+    for (std::size_t i = 0; i < assembly_->tensioners().size(); ++i) {
+      assembly_->set_drive(i, TensionerDrive::governor);
+    }
     assembly_->impose_ends(state);
     SystemState at = state;
     const Eigen::VectorXd here = evaluate(at, true);
@@ -144,7 +146,6 @@ System rod_on_body(bool place, bool direction) {
   hold_on_body(last_end(system), Vec3(4.3, -0.2, 0.1), Vec3(1.0, 0.1, -0.2).normalized());
   hold(last_end(system), place, direction);
   hold(first_end(system), true, false);
-  system.machine = -1;
   return system;
 }
 
@@ -187,7 +188,6 @@ TEST(body_border, of_both_ends_on_one_body_is_the_derivative) {
   System single = rod_system({4000.0, 60.0, 1.2}, 4.0, 1);  // no node is free
   single.bodies = system.bodies;
   single.attachments = system.attachments;
-  single.machine = -1;
   expect_exact(single);
 }
 
@@ -218,13 +218,12 @@ TEST(body_border, of_a_rod_between_two_bodies_is_the_derivative) {
 
 System governed(bool clamped) {
   System system = rod_on_body(true, clamped);
-  TensionerLaw& law = last_end(system).tensioner;
+  TensionerLaw& law = last_end(system).tensioner.emplace();
   law.mode = TensionerMode::controlled;
   law.wanted = 100.0;
   law.low = 80.0;
   law.high = 120.0;
   law.velocity = 0.2;
-  system.machine = 1;
   return system;
 }
 

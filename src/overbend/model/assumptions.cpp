@@ -37,7 +37,7 @@ std::string coated_stiffnesses(const PipeDescription& pipe) {
 }
 
 void assume_pipe(Assumptions& list, const Model& model) {
-  const Section& pipe = model.sections.front();
+  const Section& pipe = model.pipe_section();
   const std::string stiff = coated_stiffnesses(model.description.pipe);
   list.push_back({AssumptionRank::governing,
                   stiff.empty() ? "EA and EI are those of the steel only; coatings add weight, not stiffness."

@@ -100,7 +100,7 @@ void assume_vessel_motion(Assumptions& list, const VesselDescription& vessel) {
 }
 
 void assume_water_forces(Assumptions& list, const Model& model) {
-  const Section& pipe = model.sections.front();
+  const Section& pipe = model.pipe_section();
   list.push_back({AssumptionRank::setting,
                   fmt::format("Morison's coefficients do not depend on speed, frequency or distance from the seabed: "
                               "drag {:.3g} normal and {:.3g} axial, added mass {:.3g} normal and {:.3g} axial.",

@@ -180,7 +180,7 @@ double largest_that_fits(const std::vector<RoutePoint>& points) {
 }  // namespace
 
 double default_corner_radius(const Model& model) {
-  const Section& pipe = model.sections.front();
+  const Section& pipe = model.pipe_section();
   const double hold = model.seabed.friction_lateral * pipe.weight_submerged;
   const double depth = model.description.environment.water_depth;
   const double height = model.description.vessel.stern_shoe_z + model.description.tensioner.z;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/constants.h"
+#include "model/description/description.h"
 
 namespace overbend {
 namespace {

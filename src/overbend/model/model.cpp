@@ -306,7 +306,7 @@ Model build_model(const Description& description) {
     resolve_joints(model);
     model.supports = place_supports(description, [&](double from_top) {
       const Section& section = model.sections[static_cast<std::size_t>(model.section_at(from_top))];
-      return (section.kind == SectionKind::cable ? model.sections.front() : section).outer_radius();
+      return (section.kind == SectionKind::cable ? model.pipe_section() : section).outer_radius();
     });
     resolve_contact_stiffness(model);
     add_structures(model);  // rollers stand for the pipe, whatever passes them

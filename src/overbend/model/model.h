@@ -66,6 +66,8 @@ struct Model {
   int section_at(double distance_from_top) const;
   /// The pipe that lies over a roller as it is laid.
   const Section& section_over(const Roller& roller) const;
+  /// Of the pipe where no segment says otherwise.
+  const Section& pipe_section() const { return sections.front(); }
   /// The same, but for a cable, which comes and goes over rollers that are made for the pipe.
   const Section& pipe_over(const Roller& roller) const;
   /// Stiffness of the contact with a roller that gives none, by its parts.

@@ -59,7 +59,7 @@ StepScales step_scales(const Model& model) {
     if (length(line) > 0.0) scales.length = std::min(scales.length, length(line) / kErrorsInLength);
   }
   if (d.has_pipe && !model.sections.empty()) {
-    const Section& pipe = model.sections.front();
+    const Section& pipe = model.pipe_section();
     scales.length = std::min(scales.length, pipe.outer_diameter / kErrorsInDiameter);
     const double sag = std::cbrt(pipe.EI / pipe.weight_in_air);
     scales.force = std::min(scales.force, pipe.weight_in_air * sag / kImpactsInSag);

@@ -57,8 +57,7 @@ py::dict state_of(const SimulationHandle& handle) {
   const std::size_t first = handle.first_node();
   const LineState& pipe = simulation.now().pipe();
   py::dict state;
-  state["s"] = told(along(simulation.system().lines.front().mesh.s, first), "m",
-                    "Unstressed arc length from the anchor of the line");
+  state["s"] = told(along(handle.pipe().mesh.s, first), "m", "Unstressed arc length from the anchor of the line");
   state["position"] = told(vectors(pipe.q, first, 0), "m", "Place of the pipe's axis", "W");
   state["tangent"] = told(vectors(pipe.q, first, 3), "1", "Derivative of the place with s", "W");
   state["velocity"] = told(vectors(pipe.v, first, 0), "m/s", "Velocity of the pipe's axis", "W");
@@ -147,7 +146,7 @@ py::dict mooring_of(const SimulationHandle& handle, std::size_t line) {
 py::dict line_of(const SimulationHandle& handle, std::size_t line) {
   const Simulation& simulation = handle.simulation();
   checked_index(line, simulation.lines().size(), "lines");
-  const std::size_t at = simulation.system().lines.size() - simulation.lines().size() + line;
+  const std::size_t at = first_line(simulation.system(), LineRole::free) + line;
   const Instant now = simulation.now();
   py::dict told;
   told["first_tension"] = end_tension(*now.assembly, *now.state, at, LineEnd::first);
@@ -163,14 +162,14 @@ py::dict machine_of(const SimulationHandle& handle, const std::string& name) {
   const Attachment& held = simulation.system().attachments[attachment];
   const AttachmentState& at = now.state->attachments[attachment];
   const bool tensioner = name == kTensionerMachine;
-  const TensionerLaw& law = held.winch ? held.winch->tension : held.tensioner;
+  const TensionerLaw& law = held.winch ? held.winch->tension : *held.tensioner;
   py::dict told;
   if (tensioner) {
     told["tension"] = simulation.tension();
     told["paid_out"] = now.move.paid_out;
     told["speed"] = at.travel.v;
   } else {
-    told = mooring_of(handle, static_cast<std::size_t>(held.line) - first_mooring(simulation.system()));
+    told = mooring_of(handle, static_cast<std::size_t>(held.line) - first_line(simulation.system(), LineRole::mooring));
     told["paid_out"] = at.way.moved;
     told["speed"] = at.way.rate;
   }

@@ -38,15 +38,15 @@ SimulationHandle::SimulationHandle(const ModelHandle& model, const std::string& 
 
 std::size_t SimulationHandle::attachment_of(const std::string& machine) const {
   const System& system = simulation().system();
-  if (machine == kTensionerMachine && system.machine >= 0) return static_cast<std::size_t>(system.machine);
-  const std::vector<std::string>& names = simulation_->moorings();
-  const auto named = std::find(names.begin(), names.end(), machine);
-  const int line = static_cast<int>(named - names.begin()) + static_cast<int>(first_mooring(system));
-  for (std::size_t i = 0; named != names.end() && i < system.attachments.size(); ++i) {
-    if (system.attachments[i].line == line && system.attachments[i].end == LineEnd::last) return i;
+  if (machine == kTensionerMachine) {
+    if (const std::optional<LaidPipe> pipe = find_laid_pipe(system)) return pipe->tensioner;
+    throw std::invalid_argument("the model has no tensioner");
   }
-  throw std::invalid_argument(machine == kTensionerMachine ? "the model has no tensioner"
-                                                           : "there is no mooring line '" + machine + "' of elements");
+  for (const std::size_t line : find_lines(system, LineRole::mooring)) {
+    if (system.lines[line].name != machine) continue;
+    if (const std::optional<std::size_t> fairlead = find_attachment(system, line, LineEnd::last)) return *fairlead;
+  }
+  throw std::invalid_argument("there is no mooring line '" + machine + "' of elements");
 }
 
 /// One thread at a time, and no steps from within a controller.
@@ -96,18 +96,24 @@ void SimulationHandle::command(const std::string& machine, const MachineCommand&
   simulation_->command(machine, command);
 }
 
+const Line& SimulationHandle::pipe() const {
+  const System& system = simulation().system();
+  const std::optional<LaidPipe> pipe = find_laid_pipe(system);
+  if (!pipe) throw std::invalid_argument("the model has no pipe");
+  return system.lines[pipe->line];
+}
+
 NodeValues SimulationHandle::values() const {
-  if (simulation().system().machine < 0) throw std::invalid_argument("the model has no pipe");
-  const Line& line = simulation().system().lines.front();
+  const Line& line = pipe();
   const Instant now = simulation_->now();
   NodeValues values;
   values.resize(static_cast<std::size_t>(line.mesh.nodes()));
-  NodeRecovery(prepared_->model, line).recover(now.pipe(), now.assembly->line(0), now.water(), values);
+  NodeRecovery(prepared_->model, line).recover(now.pipe(), now.pipe_assembly(), now.water(), values);
   return values;
 }
 
 std::size_t SimulationHandle::first_node() const {
-  const std::vector<double>& s = simulation().system().lines.front().mesh.s;
+  const std::vector<double>& s = pipe().mesh.s;
   return static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());
 }
 

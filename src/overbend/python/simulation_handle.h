@@ -43,6 +43,7 @@ class SimulationHandle {
   void command(const std::string& machine, const MachineCommand& command);
 
   /// Values at the nodes of the pipe, of the present.
+  const Line& pipe() const;  ///< Throws std::invalid_argument where there is none.
   NodeValues values() const;
   /// Of these the first that is no laid pipe behind the line of statics.
   std::size_t first_node() const;

@@ -14,7 +14,7 @@ double machine_speed(const RowSource& row, std::size_t attachment) {
 
 double set_tension(const RowSource& row, std::size_t attachment) {
   const Attachment& held = row.now.assembly->system().attachments[attachment];
-  return (held.winch ? held.winch->tension : held.tensioner).wanted;
+  return held.winch ? held.winch->tension.wanted : held.tensioner->wanted;
 }
 
 }  // namespace

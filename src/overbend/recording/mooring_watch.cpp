@@ -127,7 +127,7 @@ void MooringWatch::look(const SystemState& state, const Assembly& assembly) {
 
 void MooringWatch::start(const SystemState& state, const Assembly& assembly) {
   quasi_static_ = moored_quasi_statically(assembly);
-  first_ = first_mooring(assembly.system());
+  first_ = first_line(assembly.system(), LineRole::mooring);
   for (std::size_t i = 0; i < (quasi_static_ ? 0 : lines_.size()); ++i) {
     find_ends(assembly.system().attachments, static_cast<int>(first_ + i), lines_[i].fairlead_end,
               lines_[i].anchor_end);

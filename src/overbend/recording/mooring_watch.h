@@ -12,7 +12,7 @@
 
 namespace overbend {
 
-/// Counts from t = 0 on. The mooring lines stand among the lines of the system from first_mooring() on.
+/// Counts from t = 0 on. The mooring lines stand one after the other among the lines of the system.
 class MooringWatch {
  public:
   /// `names`: of the lines of the run, which `moorings` describes; none without moorings.

@@ -44,7 +44,7 @@ MovingStations::MovingStations(const Model& model, const Line& line, bool moves)
 
 void MovingStations::recover(const Instant& at, NodeValues& values) {
   if (!moves_) {
-    recovery_.recover(at.pipe(), at.assembly->line(0), at.water(), values);
+    recovery_.recover(at.pipe(), at.pipe_assembly(), at.water(), values);
     return;
   }
   const std::size_t nodes = line_->mesh.s.size();
@@ -53,7 +53,7 @@ void MovingStations::recover(const Instant& at, NodeValues& values) {
     nodes_.resize(nodes);
     station_of_node_.resize(nodes);
   }
-  recovery_.recover(at.pipe(), at.assembly->line(0), at.water(), nodes_);
+  recovery_.recover(at.pipe(), at.pipe_assembly(), at.water(), nodes_);
   shift_ = line_->mesh.s.back() - places_.back() + at.tensioner->travel.q;
   find_stations_of_nodes();
   interpolate(values);

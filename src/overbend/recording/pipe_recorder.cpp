@@ -19,7 +19,7 @@ Vec3 node_place(const LineState& state, int node) {
 /// Of the whole force in the cut at a node.
 double horizontal_tension_at(const Instant& at, int node) {
   const LineState& state = at.pipe();
-  const CutForces cut = cut_at_node(at.assembly->line(0).cuts(), state.q, static_cast<std::size_t>(node));
+  const CutForces cut = cut_at_node(at.pipe_assembly().cuts(), state.q, static_cast<std::size_t>(node));
   return horizontal_tension(cut.force, Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3));
 }
 
@@ -85,7 +85,7 @@ const RigidMotion& carrier_of(const Instant& at, const SupportBox& box) {
 PipeRecorder::PipeRecorder(const Model& model, const StaticResults& statics, const Simulation& simulation)
     : model_(&model),
       statics_(&statics),
-      line_(&simulation.system().lines.front()),
+      line_(&simulation.system().lines[find_laid_pipe(simulation.system()).value().line]),
       body_rollers_(&simulation.rollers()),
       recovery_(model, *line_, simulation.move() != nullptr),
       design_(model, recovery_.sections()),
@@ -93,7 +93,7 @@ PipeRecorder::PipeRecorder(const Model& model, const StaticResults& statics, con
       tip_roller_(last_stinger_roller(model.supports)),
       rollers_(model.supports.rollers.size()),
       boxes_(model.supports.boxes.size()),
-      tensioner_(tensioner_of(simulation.system())),
+      tensioner_(*simulation.system().attachments[find_laid_pipe(simulation.system()).value().tensioner].tensioner),
       stinger_(model),
       start_(model, simulation.options().build_up, move_ != nullptr || simulation.controllers().active()) {
   const std::vector<double>& s = places();
@@ -182,7 +182,7 @@ void PipeRecorder::find_key_values(const Instant& at) {
   const std::optional<double> leaving = last != nullptr ? place_of(*last) : static_departure_;
   key_.departure_angle =
       inclination(last != nullptr && is_cable(*last)
-                      ? pull_at(at.assembly->line(0), state, *last).normalized()
+                      ? pull_at(at.pipe_assembly(), state, *last).normalized()
                       : tangent_at(state, line_->mesh, recovery_.arc_length_of(leaving.value_or(places().back()))));
   key_.tip_clearance = tip_clearance(at);
   const bool clamped = model_->description.tensioner.guide == Guide::clamped;
@@ -258,7 +258,7 @@ void PipeRecorder::find_slack(double time) {
 /// Whether the pipe has left the box of a roller over its side: then that no longer holds it, and no side roller did.
 bool PipeRecorder::beside(const Instant& at, std::size_t roller) const {
   const Roller& of = model_->supports.rollers[roller];
-  return lies_beside(of.position, at.assembly->line(0).contacts().placed(static_cast<int>(roller)),
+  return lies_beside(of.position, at.pipe_assembly().contacts().placed(static_cast<int>(roller)),
                      at.contacts()[roller].at, model_->section_over(of).outer_radius());
 }
 
@@ -267,7 +267,7 @@ double PipeRecorder::tip_clearance(const Instant& at) const {
   if (tip_roller_ < 0) return 0.0;
   const RollerContact& contact = at.contacts()[static_cast<std::size_t>(tip_roller_)];
   if (!contact.at.found || !beside(at, static_cast<std::size_t>(tip_roller_))) return separation(contact);
-  return height_over(at.assembly->line(0).contacts().placed(tip_roller_), contact.at,
+  return height_over(at.pipe_assembly().contacts().placed(tip_roller_), contact.at,
                      line_->elements.radius[static_cast<std::size_t>(contact.at.element)]);
 }
 

@@ -11,18 +11,13 @@
 namespace overbend {
 namespace {
 
-/// The lines that stand by themselves are the last ones of the system.
-std::size_t first_line(const Simulation& simulation) {
-  return simulation.system().lines.size() - simulation.lines().size();
-}
-
 /// Whether the vessel floats free, or statics have found where it lies.
 bool afloat(const Simulation& simulation, const StaticResults& statics) {
   return simulation.hull() != nullptr || !simulation.moorings().empty() || statics.moorings.has_value();
 }
 
 RecordedObjects objects_of(const Model& model, const Simulation& simulation, bool floating) {
-  const bool pipe = simulation.system().machine >= 0;
+  const bool pipe = find_laid_pipe(simulation.system()).has_value();
   const bool held = std::ranges::any_of(simulation.system().attachments,
                                         [](const Attachment& attachment) { return attachment.body != kGround; });
   return {pipe ? &model.supports : nullptr,
@@ -32,7 +27,7 @@ RecordedObjects objects_of(const Model& model, const Simulation& simulation, boo
           pipe ? sections_in_time(model) : std::vector<std::string>{},
           astern_direction(model.mean_pose),
           simulation.lines(),
-          first_line(simulation)};
+          first_line(simulation.system(), LineRole::free)};
 }
 
 }  // namespace
@@ -44,9 +39,9 @@ Recorder::Recorder(const Model& model, const StaticResults& statics, const Simul
       sink_(&sink),
       moorings_(model.description.moorings, simulation.moorings()),
       thrust_(simulation.hull()),
-      lines_(model, simulation.system(), first_line(simulation), simulation.lines().size()),
+      lines_(model, simulation.system(), first_line(simulation.system(), LineRole::free), simulation.lines().size()),
       snapshot_stride_(snapshot_stride(simulation.options())) {
-  const bool has_pipe = simulation.system().machine >= 0;
+  const bool has_pipe = find_laid_pipe(simulation.system()).has_value();
   if (has_pipe) pipe_.emplace(model, statics, simulation);
   if (afloat(simulation, statics)) floating_.emplace(model.drawn_pose);
   columns_ = recorded_columns(objects_of(model, simulation, floating_.has_value()));
@@ -110,7 +105,8 @@ double Recorder::top_tension() const {
     largest = std::max(largest, mooring_tension(*now.assembly, *now.state, i, LineEnd::last));
   }
   for (std::size_t i = 0; i < simulation_->lines().size(); ++i) {
-    largest = std::max(largest, end_tension(*now.assembly, *now.state, first_line(*simulation_) + i, LineEnd::last));
+    largest = std::max(largest, end_tension(*now.assembly, *now.state,
+                                            first_line(simulation_->system(), LineRole::free) + i, LineEnd::last));
   }
   return largest;
 }

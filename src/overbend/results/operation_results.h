@@ -8,6 +8,7 @@
 #include "base/assumption.h"
 #include "base/finding.h"
 #include "model/description/lay_operation.h"
+#include "model/description/mooring_description.h"
 #include "results/static_results.h"
 
 namespace overbend {
@@ -20,7 +21,7 @@ struct StageFailure {
 
 struct StageResult {
   LayStageDescription stage;            ///< As computed: named, with the tension found where it was sought.
-  std::optional<StaticResults> lay;     ///< ModelEquilibrium and code checks.
+  std::optional<StaticResults> lay;     ///< Equilibrium and code checks.
   std::optional<StageFailure> failure;  ///< Where there is none.
   double barge_ahead = 0.0;             ///< How far the barge lies ahead of the first stage's place [m].
   std::string governing;                ///< The limit that a sought tension is on; empty where none was sought.

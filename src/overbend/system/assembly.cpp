@@ -63,6 +63,7 @@ Assembly::Assembly(const System& system)
       held_(system.attachments.size()),
       residuals_(system.lines.size() + (border_.empty() ? 0 : 1)),
       fresh_from_(system.lines.size()) {
+  for (const std::size_t attachment : find_tensioners(system)) tensioners_.push_back({attachment});
   lines_.reserve(system.lines.size());
   for (std::size_t i = 0; i < system.lines.size(); ++i) {
     lines_.emplace_back(system.lines[i], system.bodies, solver_.line(static_cast<int>(i)));
@@ -95,15 +96,14 @@ bool Assembly::contacts_settled() const {
   return std::all_of(lines_.begin(), lines_.end(), [](const LineAssembly& l) { return l.contacts().settled(); });
 }
 
-bool Assembly::governed(std::size_t attachment) const {
-  return static_cast<int>(attachment) == system_->machine && drive_ == TensionerDrive::governor &&
-         system_->attachments[attachment].hold_place;
+bool Assembly::is_governed(const Tensioner& tensioner) const {
+  return tensioner.drive == TensionerDrive::governor && system_->attachments[tensioner.attachment].hold_place;
 }
 
-/// The line whose end goes with the tensioner's speed; -1 where none does.
-int Assembly::governed_line() const {
-  const std::size_t machine = static_cast<std::size_t>(std::max(system_->machine, 0));
-  return system_->machine >= 0 && governed(machine) ? system_->attachments[machine].line : -1;
+bool Assembly::governed(std::size_t attachment) const {
+  return std::ranges::any_of(tensioners_, [&](const Tensioner& tensioner) {
+    return tensioner.attachment == attachment && is_governed(tensioner);
+  });
 }
 
 void Assembly::find_held() {
@@ -144,29 +144,27 @@ void Assembly::set_time(double time, const SystemState& near) {
   find_held();
 }
 
-void Assembly::set_drive(TensionerDrive drive) {
-  drive_ = drive;
+void Assembly::set_drive(std::size_t tensioner, TensionerDrive drive) {
+  tensioners_[tensioner].drive = drive;
   find_held();
 }
 
 /// The force of the governor along the pipe: it grows with the speed of paying out, which the end's place makes. Of its
 /// parts that along the guide alone is free.
-void Assembly::add_governor(const SystemState& state) {
-  const std::size_t machine = static_cast<std::size_t>(system_->machine);
-  const Attachment& held = system_->attachments[machine];
+void Assembly::add_governor(const Tensioner& tensioner, const SystemState& state) {
+  const Attachment& held = system_->attachments[tensioner.attachment];
   LineAssembly& line = lines_[static_cast<std::size_t>(held.line)];
-  const Vec3& d = surroundings_.ends[machine].direction;
-  const double tension = governed_tension(held.tensioner, state.attachments[machine].travel.v);
-  vec(line.residual(), line.end_node(held.end), 0) -= tension * machine_axis_.dot(d) * d;
+  const Vec3& d = surroundings_.ends[tensioner.attachment].direction;
+  const double tension = governed_tension(*held.tensioner, state.attachments[tensioner.attachment].travel.v);
+  vec(line.residual(), line.end_node(held.end), 0) -= tension * tensioner.axis.dot(d) * d;
 }
 
-void Assembly::add_governor_tangent(const SystemState& state, const Weights& weights) {
-  const std::size_t machine = static_cast<std::size_t>(system_->machine);
-  const Attachment& held = system_->attachments[machine];
+void Assembly::add_governor_tangent(const Tensioner& tensioner, const SystemState& state, const Weights& weights) {
+  const Attachment& held = system_->attachments[tensioner.attachment];
   LineAssembly& line = lines_[static_cast<std::size_t>(held.line)];
-  const Vec3& d = surroundings_.ends[machine].direction;
-  const double rate =
-      governor_slope(held.tensioner, state.attachments[machine].travel.v) * weights.velocity * machine_axis_.dot(d);
+  const Vec3& d = surroundings_.ends[tensioner.attachment].direction;
+  const double rate = governor_slope(*held.tensioner, state.attachments[tensioner.attachment].travel.v) *
+                      weights.velocity * tensioner.axis.dot(d);
   double* block = line.tangent().diag(line.end_node(held.end));
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) {
@@ -197,16 +195,14 @@ void Assembly::impose_ends(SystemState& state) {
   }
 }
 
-void Assembly::find_machine_axis(const SystemState& state) {
-  if (system_->machine < 0) {
-    return;
+void Assembly::find_axes(const SystemState& state) {
+  for (Tensioner& tensioner : tensioners_) {
+    const Attachment& held = system_->attachments[tensioner.attachment];
+    const std::size_t line = static_cast<std::size_t>(held.line);
+    const double* t = state.lines[line].q.data() + 6 * lines_[line].end_node(held.end) + 3;
+    tensioner.axis = held.hold_direction ? surroundings_.ends[tensioner.attachment].direction
+                                         : Vec3(Eigen::Map<const Vec3>(t)).normalized();
   }
-  const std::size_t machine = static_cast<std::size_t>(system_->machine);
-  const Attachment& held = system_->attachments[machine];
-  const std::size_t line = static_cast<std::size_t>(held.line);
-  const double* t = state.lines[line].q.data() + 6 * lines_[line].end_node(held.end) + 3;
-  machine_axis_ =
-      held.hold_direction ? surroundings_.ends[machine].direction : Vec3(Eigen::Map<const Vec3>(t)).normalized();
 }
 
 /// Lines of winches are as long as the state has them.
@@ -226,12 +222,11 @@ void Assembly::evaluate(SystemState& state, const SystemState& before, const Wei
     lines_[i].evaluate(state.lines[i], before.lines[i], weights, surroundings_.water[i], with_tangent, contacts);
   }
   evaluate_bodies(state, before, weights, with_tangent);
-  find_machine_axis(state);
-  if (governed_line() >= 0) {
-    add_governor(state);
-    if (with_tangent) {
-      add_governor_tangent(state, weights);
-    }
+  find_axes(state);
+  for (const Tensioner& tensioner : tensioners_) {
+    if (!is_governed(tensioner)) continue;
+    add_governor(tensioner, state);
+    if (with_tangent) add_governor_tangent(tensioner, state, weights);
   }
 }
 
@@ -276,13 +271,11 @@ void Assembly::finish_step(const SystemState& before, double h, SystemState& aft
   }
 }
 
-double Assembly::machine_tension() const {
-  if (system_->machine < 0) {
-    return 0.0;
-  }
-  const Attachment& held = system_->attachments[static_cast<std::size_t>(system_->machine)];
+double Assembly::tension(std::size_t tensioner) const {
+  const Tensioner& of = tensioners_[tensioner];
+  const Attachment& held = system_->attachments[of.attachment];
   const std::array<double, 6>& force = lines_[static_cast<std::size_t>(held.line)].end_force(held.end);
-  return Vec3(force[0], force[1], force[2]).dot(machine_axis_);
+  return Vec3(force[0], force[1], force[2]).dot(of.axis);
 }
 
 SystemState state_at_rest(const System& system, const std::vector<std::vector<double>>& q, double time) {

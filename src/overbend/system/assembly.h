@@ -1,4 +1,4 @@
-/// The equations of a system in motion at one instant: what its lines, their ends and the machine at one of them add up
+/// The equations of a system in motion at one instant: what its lines, their ends and the tensioners at them add up
 /// to.
 #pragma once
 
@@ -72,8 +72,15 @@ class Assembly {
   void set_surroundings(double time);
   /// Brings the surroundings to a time, and the rollers to the lines as they are in `near`.
   void set_time(double time, const SystemState& near);
-  /// What decides the speed of the tensioner at the instants to come.
-  void set_drive(TensionerDrive drive);
+  /// A tensioner of the system: what decides its speed at the instants to come, and the pipe's direction there.
+  struct Tensioner {
+    std::size_t attachment = 0;
+    TensionerDrive drive = TensionerDrive::brake;
+    Vec3 axis = Vec3::UnitX();  ///< At the state evaluated last.
+  };
+  const std::vector<Tensioner>& tensioners() const { return tensioners_; }
+  /// By the tensioner's number among these.
+  void set_drive(std::size_t tensioner, TensionerDrive drive);
   /// Brings free bodies to a state; puts the places, directions and rates of what holds them into the ends of lines.
   void impose_ends(SystemState& state);
   /// A freedom of a free body (index in System::bodies) that stays where it is: its equation is left out.
@@ -137,8 +144,8 @@ class Assembly {
   /// Forces and generalised moments left on the free bodies, six each.
   const std::vector<double>& body_residual() const { return border_.residual(); }
 
-  /// What the tensioner measures: its force along the pipe, which is the effective tension there [N].
-  double machine_tension() const;
+  /// What a tensioner measures, by its number: its force along the pipe, which is the effective tension there [N].
+  double tension(std::size_t tensioner) const;
 
   /// True accelerations from the balance of forces at rest or in motion; false where the mass is singular.
   bool find_accelerations(SystemState& state);
@@ -146,7 +153,7 @@ class Assembly {
  private:
   void hold_attachment(std::size_t index, bool with_tangent);
   bool governed(std::size_t attachment) const;
-  int governed_line() const;
+  bool is_governed(const Tensioner& tensioner) const;
   bool factor_fresh(const SystemState& state, const Weights& weights);
   void take_residual(Increments& dq);
   void point_solution_at(Increments& dq);
@@ -159,9 +166,9 @@ class Assembly {
   void add_winch_power(const SystemState& state, InstantEnergy& now) const;
   void pay_out(const SystemState& state);
   void find_held();
-  void add_governor(const SystemState& state);
-  void add_governor_tangent(const SystemState& state, const Weights& weights);
-  void find_machine_axis(const SystemState& state);
+  void add_governor(const Tensioner& tensioner, const SystemState& state);
+  void add_governor_tangent(const Tensioner& tensioner, const SystemState& state, const Weights& weights);
+  void find_axes(const SystemState& state);
 
   const System* system_;
   Surroundings surroundings_;
@@ -172,8 +179,7 @@ class Assembly {
   std::vector<LineAssembly> lines_;
   std::vector<double*> solution_;     ///< Of the lines, for the solver.
   std::vector<HeldDirections> held_;  ///< By the attachments.
-  TensionerDrive drive_ = TensionerDrive::brake;
-  Vec3 machine_axis_ = Vec3::UnitX();  ///< Of the pipe at its tensioner, at the state evaluated last.
+  std::vector<Tensioner> tensioners_;
   std::vector<double> residuals_;
   std::vector<int> fresh_from_;  ///< By lines: the first node whose blocks were put in afresh.
   std::pair<int, int> worst_{0, 0};

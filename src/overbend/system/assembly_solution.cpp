@@ -53,7 +53,10 @@ bool Assembly::renew_lines(SystemState& state, const SystemState& before, const 
     fresh_from_[i] = which[i] != 0 ? 0 : kNotFresh;
     if (which[i] == 0) continue;
     lines_[i].evaluate(state.lines[i], before.lines[i], weights, surroundings_.water[i], true, ContactMode::free);
-    if (governed_line() == static_cast<int>(i)) add_governor(state);
+    for (const Tensioner& tensioner : tensioners_) {
+      const int line = system_->attachments[tensioner.attachment].line;
+      if (line == static_cast<int>(i) && is_governed(tensioner)) add_governor(tensioner, state);
+    }
   }
   return factor_fresh(state, weights);
 }
@@ -73,8 +76,10 @@ bool Assembly::factor_fresh(const SystemState& state, const Weights& weights) {
   if (!border_.empty()) {
     border_.put_corner(solver_);
   }
-  if (governed_line() >= 0 && fresh(governed_line())) {
-    add_governor_tangent(state, weights);
+  for (const Tensioner& tensioner : tensioners_) {
+    if (is_governed(tensioner) && fresh(system_->attachments[tensioner.attachment].line)) {
+      add_governor_tangent(tensioner, state, weights);
+    }
   }
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const std::size_t of = static_cast<std::size_t>(system_->attachments[i].line);

@@ -105,8 +105,7 @@ LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted) {
 /// so a cable of less width meets as much less of it.
 double soil_under(const Model& model, double width) {
   const double of_model = model.seabed.stiffness;
-  return model.description.has_pipe ? of_model * std::min(1.0, width / model.sections.front().outer_diameter)
-                                    : of_model;
+  return model.description.has_pipe ? of_model * std::min(1.0, width / model.pipe_section().outer_diameter) : of_model;
 }
 
 LineEnvironment cable_environment(const Model& model, const CableParts& parts, const Vec3& from, const Vec3& to) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "mechanics/line_elements.h"
@@ -13,8 +14,17 @@ namespace overbend {
 
 enum class LineEnd { first, last };  ///< Of a pipe: at the anchor, at the tensioner.
 
+/// What a line is to the analysis.
+enum class LineRole {
+  pipe,     ///< Laid by a tensioner, over rollers.
+  mooring,  ///< Holds the vessel.
+  free      ///< Stands by itself between two ends.
+};
+
 /// Constant data of one line.
 struct Line {
+  std::string name;
+  LineRole role = LineRole::free;
   LineMesh mesh;
   LineElements elements;
   LineEnvironment environment;

@@ -27,7 +27,7 @@ double row_spacing(const Supports& supports) {
 /// What bends at a place: where a cable is, the pipe, whose sizes serve it too.
 const Section& section_of(const Model& model, double from_top) {
   const Section& section = model.sections[static_cast<std::size_t>(model.section_at(from_top))];
-  return section.kind == SectionKind::cable ? model.sections.front() : section;
+  return section.kind == SectionKind::cable ? model.pipe_section() : section;
 }
 
 /// Least EI of the pipe at the tensioner and over the rows of rollers.

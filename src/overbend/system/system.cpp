@@ -32,9 +32,41 @@ double tensioner_authority(const System& system, double time) {
   return half_cosine(time, system.build_up).value;
 }
 
-const TensionerLaw& tensioner_of(const System& system) {
-  static const TensionerLaw kBrake;
-  return system.machine < 0 ? kBrake : system.attachments[static_cast<std::size_t>(system.machine)].tensioner;
+std::vector<std::size_t> find_tensioners(const System& system) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < system.attachments.size(); ++i) {
+    if (system.attachments[i].tensioner) found.push_back(i);
+  }
+  return found;
+}
+
+std::optional<LaidPipe> find_laid_pipe(const System& system) {
+  for (std::size_t i = 0; i < system.attachments.size(); ++i) {
+    const Attachment& held = system.attachments[i];
+    if (held.tensioner) return LaidPipe{static_cast<std::size_t>(held.line), i};
+  }
+  return std::nullopt;
+}
+
+std::vector<std::size_t> find_lines(const System& system, LineRole role) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < system.lines.size(); ++i) {
+    if (system.lines[i].role == role) found.push_back(i);
+  }
+  return found;
+}
+
+std::size_t first_line(const System& system, LineRole role) {
+  std::size_t line = 0;
+  while (line < system.lines.size() && system.lines[line].role != role) ++line;
+  return line;
+}
+
+std::optional<std::size_t> find_attachment(const System& system, std::size_t line, LineEnd end) {
+  for (std::size_t i = 0; i < system.attachments.size(); ++i) {
+    if (system.attachments[i].line == static_cast<int>(line) && system.attachments[i].end == end) return i;
+  }
+  return std::nullopt;
 }
 
 }  // namespace overbend

@@ -26,7 +26,7 @@ struct Attachment {
   bool hold_direction = false;  ///< The tangent keeps the guide's direction; its length stays free.
   int body = kGround;
   Vec3 place = Vec3::Zero(), direction = Vec3::UnitX();  ///< In the body's frame; W on the ground [m].
-  TensionerLaw tensioner;         ///< Moves the end along the guide, where it is held; the default is a locked brake.
+  std::optional<TensionerLaw> tensioner;  ///< That moves the end along the guide, where it is held by one.
   std::optional<WinchLaw> winch;  ///< Where the end leaves a winch, which changes the length of its last element.
   /// Of an anchor on the ground: more than this drags it along the line [N].
   double holding = std::numeric_limits<double>::infinity();
@@ -56,7 +56,6 @@ struct System {
   std::vector<Body> bodies;
   std::vector<Attachment> attachments;
   std::vector<int> far_forces;  ///< Lines whose first end slides under a force of unknown size, LineState::far_force.
-  int machine = -1;             ///< The attachment whose tensioner acts; -1: none.
   double build_up = 0.0;        ///< Before t = 0, over which the tensioner is brought in [s].
   RollerRub rub;                ///< Friction of the rollers at rest, from which a run starts.
   SurroundingsAt surroundings;
@@ -72,12 +71,24 @@ void lead_attachments(const std::vector<Attachment>& attachments, Surroundings& 
 /// Share of its response velocity that the tensioner may use: it is brought in with the sea.
 double tensioner_authority(const System& system, double time);
 
-/// The law of the tensioner that acts; a locked brake where there is none.
-const TensionerLaw& tensioner_of(const System& system);
+/// The vessel among the bodies of a system.
+inline constexpr std::size_t kVessel = 0;
 
-/// Which of the lines is the first mooring line: they follow the pipe, where there is one.
-inline std::size_t first_mooring(const System& system) {
-  return system.machine < 0 ? 0 : 1;
-}
+/// The attachments that a tensioner moves.
+std::vector<std::size_t> find_tensioners(const System& system);
+
+/// The pipe that is laid: its line and the attachment of its tensioner.
+struct LaidPipe {
+  std::size_t line = 0, tensioner = 0;
+};
+std::optional<LaidPipe> find_laid_pipe(const System& system);
+
+/// Lines of a role, in the order of the system.
+std::vector<std::size_t> find_lines(const System& system, LineRole role);
+/// The first of them; the number of lines where there is none.
+std::size_t first_line(const System& system, LineRole role);
+
+/// The attachment that holds an end of a line; nothing where none does.
+std::optional<std::size_t> find_attachment(const System& system, std::size_t line, LineEnd end);
 
 }  // namespace overbend

@@ -66,7 +66,6 @@ System rod_and_string() {
     held.hold_place = true;
     system.attachments.push_back(held);
   }
-  system.machine = -1;
   for (Line& line : system.lines) line.force_scale = 100.0;
   system.surroundings = [](double, Surroundings& now) {
     now.ends[2].place = Vec3::Zero();

@@ -17,9 +17,8 @@ std::string body_words(const System& system, int number) {
 std::string node_words(const System& system, std::size_t line, int node) {
   const std::vector<double>& s = system.lines[line].mesh.s;
   const double at = s[static_cast<std::size_t>(node)];
-  const std::size_t first = first_mooring(system);
-  if (line < first) return fmt::format("{} from the anchor", shown(at, "m", 3));
-  return fmt::format("line {}, {} from its first end", line - first + 1, shown(at - s.front(), "m", 3));
+  if (system.lines[line].role == LineRole::pipe) return fmt::format("{} from the anchor", shown(at, "m", 3));
+  return fmt::format("line '{}', {} from its first end", system.lines[line].name, shown(at - s.front(), "m", 3));
 }
 
 }  // namespace

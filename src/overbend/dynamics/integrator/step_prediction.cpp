@@ -122,8 +122,8 @@ void predict_travel(const GeneralizedAlpha& scheme, const TensionerLaw& law, con
 
 }  // namespace
 
-void predict(const GeneralizedAlpha& scheme, const System& system, const SystemState& now, double h,
-             const MachineStep& machine, SystemState& next) {
+void predict(const GeneralizedAlpha& scheme, const Assembly& assembly, const SystemState& now, double h,
+             const std::vector<MachineStep>& moves, SystemState& next) {
   begin_from(now, next);
   next.time = now.time + h;
   next.last_step = h;
@@ -138,10 +138,11 @@ void predict(const GeneralizedAlpha& scheme, const System& system, const SystemS
   for (std::size_t i = 0; i < now.attachments.size(); ++i) {
     next.attachments[i].guide = foreseen(scheme, now.attachments[i].guide, h, ratio);
   }
-  if (system.machine >= 0) {
-    const std::size_t i = static_cast<std::size_t>(system.machine);
-    next.attachments[i].machine.drive = machine.drive;
-    predict_travel(scheme, tensioner_of(system), now.attachments[i], h, ratio, machine.bounds, next.attachments[i]);
+  for (std::size_t number = 0; number < moves.size(); ++number) {
+    const std::size_t i = assembly.tensioners()[number].attachment;
+    next.attachments[i].machine.drive = moves[number].drive;
+    predict_travel(scheme, *assembly.system().attachments[i].tensioner, now.attachments[i], h, ratio,
+                   moves[number].bounds, next.attachments[i]);
   }
 }
 

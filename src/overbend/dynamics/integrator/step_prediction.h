@@ -5,22 +5,22 @@
 
 #include "mechanics/tensioner.h"
 #include "numerics/generalized_alpha.h"
+#include "system/assembly.h"
 #include "system/state.h"
-#include "system/system.h"
 
 namespace overbend {
 
-/// How the tensioner moves in a step, and the speeds that it can reach.
+/// How a tensioner moves in a step, and the speeds that it can reach.
 struct MachineStep {
   TensionerDrive drive = TensionerDrive::brake;
   SpeedBounds bounds;
 };
 
 /// The state `next` after `h` as the state before foresees it, see GeneralizedAlpha::foreseen(), a line by as much of
-/// what stands between its accelerations as would have served the step before best; the travel of the machine as it is
-/// driven. Allocates where `next` has other sizes than `now`.
-void predict(const GeneralizedAlpha& scheme, const System& system, const SystemState& now, double h,
-             const MachineStep& machine, SystemState& next);
+/// what stands between its accelerations as would have served the step before best; the travel of the tensioners of
+/// the assembly as they are driven by `moves`. Allocates where `next` has other sizes than `now`.
+void predict(const GeneralizedAlpha& scheme, const Assembly& assembly, const SystemState& now, double h,
+             const std::vector<MachineStep>& moves, SystemState& next);
 
 /// Adds a correction to the places of a line at the end of a step of `h`, and what follows to rates and accelerations.
 void correct(const GeneralizedAlpha& scheme, double h, const std::vector<double>& dq, LineState& next);

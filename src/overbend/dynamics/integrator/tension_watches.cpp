@@ -12,23 +12,23 @@ constexpr std::size_t kNumbers = 4;  ///< Of a watch, in a checkpoint.
 /// Ends that give way take the force of jerks themselves, and settle in steps of usual length only; what impacts put on
 /// the pipe at a tensioner is not followed further either.
 bool follows_snaps(const System& system) {
-  return system.machine < 0 && std::ranges::none_of(system.attachments, [](const Attachment& held) {
-           return held.winch || held.holding < std::numeric_limits<double>::infinity();
-         });
+  return std::ranges::none_of(system.attachments, [](const Attachment& held) {
+    return held.tensioner || held.winch || held.holding < std::numeric_limits<double>::infinity();
+  });
 }
 
 }  // namespace
 
 TensionWatches::TensionWatches(const System& system, double time_scale)
-    : of_tensioner_(system.machine >= 0),
+    : of_tensioners_(!find_tensioners(system).empty()),
       shortest_{kShortStep * time_scale, kShortStep * time_scale},
       follows_snaps_(follows_snaps(system)),
-      watches_(of_tensioner_ ? 1 : 2 * system.lines.size()) {
+      watches_(of_tensioners_ ? find_tensioners(system).size() : 2 * system.lines.size()) {
   if (follows_snaps_) shortest_.snap = kEventStep * time_scale;
 }
 
 double TensionWatches::tension(const Assembly& assembly, std::size_t watch) const {
-  if (of_tensioner_) return assembly.machine_tension();
+  if (of_tensioners_) return assembly.tension(watch);
   const LineEnd end = watch % 2 == 0 ? LineEnd::first : LineEnd::last;
   return Eigen::Map<const Vec3>(assembly.line(watch / 2).end_force(end).data()).norm();
 }

@@ -1,5 +1,5 @@
-/// The tensions whose bends the steps of a run follow: the tensioner's where one holds a pipe, else those at both ends
-/// of every line.
+/// The tensions whose bends the steps of a run follow: those of the tensioners where there are some, else those at both
+/// ends of every line.
 #pragma once
 
 #include <vector>
@@ -30,10 +30,10 @@ class TensionWatches {
  private:
   double tension(const Assembly& assembly, std::size_t watch) const;
 
-  bool of_tensioner_;
+  bool of_tensioners_;
   ShortestSteps shortest_;
   bool follows_snaps_;
-  std::vector<TensionWatch> watches_;  ///< One of the tensioner, or two of every line.
+  std::vector<TensionWatch> watches_;  ///< One of each tensioner, or two of every line.
 };
 
 }  // namespace overbend

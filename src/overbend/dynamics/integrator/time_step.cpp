@@ -50,6 +50,7 @@ TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
       settings_(settings),
       scheme_(settings.spectral_radius),
       giving_(assembly.system()),
+      moves_(assembly.tensioners().size()),
       most_further_(iterations_for_factors(assembly.system())),
       slow_lines_(most_further_.size()),
       dq_(assembly.increments()),
@@ -82,7 +83,7 @@ void TimeStepper::correct(SystemState& next, double h) const {
     const Vec3& direction = assembly_->surroundings().ends[i].direction;
     const double* dq = dq_[line].data() + 6 * assembly_->line(line).end_node(held.end);
     correct_values(next.attachments[i].guide, direction, dq + 3);
-    if (static_cast<int>(i) == system.machine && next.attachments[i].machine.drive == TensionerDrive::governor) {
+    if (system.attachments[i].tensioner && next.attachments[i].machine.drive == TensionerDrive::governor) {
       correct_values(next.attachments[i].travel, -direction, dq);
     }
   }
@@ -141,44 +142,52 @@ bool TimeStepper::factors_serve(const StepReport& report, const SystemState& now
 StepReport TimeStepper::step(const SystemState& now, double h, SystemState& next) {
   constexpr int kMostDrives = 4;  // two that each ask for the other differ by nothing
   const System& system = assembly_->system();
-  if (system.machine < 0) {
-    return step_with({}, now, h, next);
-  }
-  const std::size_t machine = static_cast<std::size_t>(system.machine);
-  const AttachmentState& held = now.attachments[machine];
-  const TensionerLaw& law = tensioner_of(system);
-  const Travel travel{held.travel.q, held.travel.v, held.travel.acc};
   const double authority = tensioner_authority(system, now.time + 0.5 * h);
-  const SpeedBounds bounds = reachable_speeds(law, held.machine, travel, authority, h);
-  MachineStep moves{first_drive(law, held.machine), bounds};
+  for (std::size_t i = 0; i < moves_.size(); ++i) {
+    const std::size_t attachment = assembly_->tensioners()[i].attachment;
+    const AttachmentState& held = now.attachments[attachment];
+    const TensionerLaw& law = *system.attachments[attachment].tensioner;
+    const Travel travel{held.travel.q, held.travel.v, held.travel.acc};
+    moves_[i] = {first_drive(law, held.machine), reachable_speeds(law, held.machine, travel, authority, h)};
+  }
   StepReport report;
   for (int tries = 0; tries < kMostDrives; ++tries) {
-    const StepReport part = step_with(moves, now, h, next);
+    const StepReport part = step_with_drives(now, h, next);
     const int iterations = report.iterations + part.iterations,
               factorisations = report.factorisations + part.factorisations;
     report = part;
     report.iterations = iterations;
     report.factorisations = factorisations;
-    const TensionerDrive fitting =
-        fitting_drive(law, bounds, moves.drive, next.attachments[machine].travel.v, assembly_->machine_tension());
-    if (!report.converged() || fitting == moves.drive) {
-      break;
-    }
-    moves.drive = fitting;
+    if (!report.converged() || !fit_drives(next)) break;
   }
   return report;
 }
 
-StepReport TimeStepper::step_with(const MachineStep& machine, const SystemState& now, double h, SystemState& next) {
+/// Whether a tensioner has another drive than the step was taken with.
+bool TimeStepper::fit_drives(const SystemState& next) {
+  bool changed = false;
+  for (std::size_t i = 0; i < moves_.size(); ++i) {
+    const std::size_t attachment = assembly_->tensioners()[i].attachment;
+    const TensionerLaw& law = *assembly_->system().attachments[attachment].tensioner;
+    const TensionerDrive fitting = fitting_drive(law, moves_[i].bounds, moves_[i].drive,
+                                                 next.attachments[attachment].travel.v, assembly_->tension(i));
+    changed = changed || fitting != moves_[i].drive;
+    moves_[i].drive = fitting;
+  }
+  return changed;
+}
+
+StepReport TimeStepper::step_with_drives(const SystemState& now, double h, SystemState& next) {
   StepReport report;
-  const bool governed = machine.drive == TensionerDrive::governor;
+  const bool governed =
+      std::ranges::any_of(moves_, [](const MachineStep& move) { return move.drive == TensionerDrive::governor; });
   factored_ = factored_ && governed == factored_governed_;
   factored_governed_ = governed;
-  predict(scheme_, assembly_->system(), now, h, machine, next);
+  predict(scheme_, *assembly_, now, h, moves_, next);
   giving_.begin(now, h, next);
   int rounds = 0, earlier = 0;
   assembly_->set_time(next.time, next);
-  assembly_->set_drive(machine.drive);
+  for (std::size_t i = 0; i < moves_.size(); ++i) assembly_->set_drive(i, moves_[i].drive);
   assembly_->impose_ends(next);
   const Weights weights{scheme_.velocity_share(h), scheme_.acceleration_share(h), h};
   bool factor = must_factor(h);

@@ -44,7 +44,8 @@ class TimeStepper {
   }
 
  private:
-  StepReport step_with(const MachineStep& machine, const SystemState& now, double h, SystemState& next);
+  StepReport step_with_drives(const SystemState& now, double h, SystemState& next);
+  bool fit_drives(const SystemState& next);
   void correct(SystemState& next, double h) const;
   bool must_factor(double h) const;
   bool make_factors(double h, StepReport& report);
@@ -56,8 +57,9 @@ class TimeStepper {
   StepSettings settings_;
   GeneralizedAlpha scheme_;
   GivingEnds giving_;
+  std::vector<MachineStep> moves_;  ///< Of the tensioners of the system.
   bool factored_ = false;
-  bool factored_governed_ = false;  ///< With the top free along its guide.
+  bool factored_governed_ = false;  ///< With a top free along its guide.
   double factored_step_ = 0.0;
   std::uint64_t factored_contacts_ = 0;
   int factors_age_ = 0;

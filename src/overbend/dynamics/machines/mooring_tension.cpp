@@ -11,7 +11,8 @@ double mooring_tension(const Assembly& assembly, const SystemState& state, std::
     const LineEndForces& line = state.bodies.front().lines[mooring];
     return end == LineEnd::last ? line.fairlead_tension() : line.anchor_tension();
   }
-  const std::array<double, 6>& force = assembly.line(first_mooring(assembly.system()) + mooring).end_force(end);
+  const std::size_t first = first_line(assembly.system(), LineRole::mooring);
+  const std::array<double, 6>& force = assembly.line(first + mooring).end_force(end);
   return Vec3(force[0], force[1], force[2]).norm();
 }
 

@@ -32,12 +32,12 @@ std::string quoted(const std::vector<std::string>& names) {
 /// Of the winch where a line has one, else of the tensioner.
 TensionerLaw& machine_law(System& system, const CommandedMachine& machine) {
   Attachment& held = system.attachments[machine.attachment];
-  return held.winch ? held.winch->tension : held.tensioner;
+  return held.winch ? held.winch->tension : *held.tensioner;
 }
 
 const TensionerLaw& machine_law(const System& system, const CommandedMachine& machine) {
   const Attachment& held = system.attachments[machine.attachment];
-  return held.winch ? held.winch->tension : held.tensioner;
+  return held.winch ? held.winch->tension : *held.tensioner;
 }
 
 double speed_of(const Attachment& held, const AttachmentState& at) {
@@ -66,32 +66,32 @@ void ready_winch(const Model& model, const std::string& name, System& system, st
 
 /// The attachment of the fairlead of a mooring line.
 std::size_t fairlead_of(const std::string& name, const std::vector<std::string>& moorings, const System& system) {
-  const auto named = std::find(moorings.begin(), moorings.end(), name);
-  if (named == moorings.end()) {
+  if (std::ranges::find(moorings, name) == moorings.end()) {
     std::vector<std::string> machines;
-    if (system.machine >= 0) machines.push_back(kTensionerMachine);
+    if (find_laid_pipe(system)) machines.push_back(kTensionerMachine);
     machines.insert(machines.end(), moorings.begin(), moorings.end());
-    throw std::invalid_argument("there is no machine '" + name + "' to control; there are " + quoted(machines));
+    throw std::invalid_argument("there is no machine '" + name + "' to control; there " +
+                                (machines.empty() ? "is none" : "are " + quoted(machines)));
   }
-  const int line = static_cast<int>(named - moorings.begin()) + static_cast<int>(first_mooring(system));
-  for (std::size_t i = 0; i < system.attachments.size(); ++i) {
-    if (system.attachments[i].line == line && system.attachments[i].end == LineEnd::last) return i;
+  for (const std::size_t line : find_lines(system, LineRole::mooring)) {
+    if (system.lines[line].name != name) continue;
+    if (const std::optional<std::size_t> fairlead = find_attachment(system, line, LineEnd::last)) return *fairlead;
   }
   throw std::invalid_argument("the winch of mooring line '" + name +
                               "' cannot be controlled: its lines are quasi-static; leave out moorings.model");
 }
 
-CommandedMachine tensioner_machine(const System& system) {
+CommandedMachine tensioner_machine(const LaidPipe& pipe) {
   CommandedMachine machine;
   machine.name = kTensionerMachine;
   machine.words = "the tensioner";
-  machine.attachment = static_cast<std::size_t>(system.machine);
+  machine.attachment = pipe.tensioner;
   return machine;
 }
 
 /// Place and motion of the vessel's freedoms, and of the line's end along the line.
 void read_motion(const Assembly& assembly, const SystemState& state, std::size_t attachment, MachineReading& seen) {
-  const RigidMotion& vessel = assembly.surroundings().bodies.front();
+  const RigidMotion& vessel = assembly.surroundings().bodies[kVessel];
   std::copy(vessel.freedoms.begin(), vessel.freedoms.end(), seen.vessel);
   std::copy(vessel.velocity.begin(), vessel.velocity.end(), seen.vessel_velocity);
   std::copy(vessel.omega.begin(), vessel.omega.end(), seen.vessel_velocity + 3);
@@ -174,7 +174,8 @@ std::string at_time(double time) {
 
 Controllers::Controllers(const Model& model, const std::vector<ControllerUse>& uses,
                          const std::vector<std::string>& moorings, double start, System& system) {
-  if (system.machine >= 0) machines_.push_back(tensioner_machine(system));
+  const std::optional<LaidPipe> pipe = find_laid_pipe(system);
+  if (pipe) machines_.push_back(tensioner_machine(*pipe));
   std::vector<std::string> given;
   for (const ControllerUse& use : uses) {
     if (std::find(given.begin(), given.end(), use.machine) != given.end()) {
@@ -185,7 +186,7 @@ Controllers::Controllers(const Model& model, const std::vector<ControllerUse>& u
       throw std::invalid_argument(fmt::format("the interval of the controller of '{}' is {} s; {} s is the least",
                                               use.machine, use.interval, kShortestInterval));
     }
-    const bool tensioner = use.machine == kTensionerMachine && system.machine >= 0;
+    const bool tensioner = use.machine == kTensionerMachine && pipe;
     if (!tensioner) {
       CommandedMachine winch;
       winch.name = use.machine;

@@ -36,13 +36,12 @@ struct CommandedMachine {
 
 class Controllers {
  public:
-  /// Gives winches their laws where they have none. `moorings`: names of the mooring lines, which follow the pipe among
-  /// the lines of `system`, where they are lines of elements. `start`: the first instant [s]. Throws
-  /// std::invalid_argument for a machine that is not there.
+  /// Gives winches their laws where they have none. `moorings`: names of the mooring lines, of elements or not.
+  /// `start`: the first instant [s]. Throws std::invalid_argument for a machine that is not there.
   Controllers(const Model& model, const std::vector<ControllerUse>& uses, const std::vector<std::string>& moorings,
               double start, System& system);
 
-  /// The tensioner first, then those of the uses, in their order.
+  /// The tensioner first, where there is one, then those of the uses, in their order.
   const std::vector<CommandedMachine>& machines() const { return machines_; }
   /// Whether somebody is asked at all.
   bool active() const;

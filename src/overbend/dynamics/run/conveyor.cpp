@@ -20,10 +20,6 @@ Vec3 part(const std::vector<double>& values, int node, int first) {
   return Vec3(Eigen::Map<const Vec3>(values.data() + 6 * static_cast<std::ptrdiff_t>(node) + first));
 }
 
-AttachmentState& machine_state(const System& system, SystemState& state) {
-  return state.attachments[static_cast<std::size_t>(system.machine)];
-}
-
 /// A guide's unknown from the tangent of the node that it now holds.
 void follow_tangent(const LineState& state, int node, MotionValues& guide) {
   const Vec3 t = part(state.q, node, 3), direction = t.normalized();
@@ -58,8 +54,9 @@ PieceAbove piece_above(const Model& model, double above) {
   return above < bare ? PieceAbove{0, begun, bare} : PieceAbove{model.coated, bare, begun + joint->length};
 }
 
-Conveyor::Conveyor(const Model& model, const System& system, std::optional<double> element) : model_(&model) {
-  const LineMesh& mesh = system.lines.front().mesh;
+Conveyor::Conveyor(const Model& model, const System& system, std::optional<double> element)
+    : model_(&model), pipe_(find_laid_pipe(system).value()) {
+  const LineMesh& mesh = system.lines[pipe_.line].mesh;
   element_ = element.value_or(mesh.length.back());
   for (std::size_t e = mesh.length.size(); e-- > 0;) {
     plan_from_.push_back(mesh.s.back() - mesh.s[e + 1]);
@@ -86,9 +83,9 @@ double Conveyor::next_length() const {
 }
 
 bool Conveyor::due(const System& system, const SystemState& state) const {
-  const Line& line = system.lines.front();
-  const double travel = state.attachments[static_cast<std::size_t>(system.machine)].travel.q;
-  const double stretch = stretch_of(state.lines.front(), line.mesh.nodes() - 1);
+  const Line& line = system.lines[pipe_.line];
+  const double travel = state.attachments[pipe_.tensioner].travel.q;
+  const double stretch = stretch_of(state.lines[pipe_.line], line.mesh.nodes() - 1);
   return travel >= stretch * next_length() || travel <= -stretch * line.mesh.length.back();
 }
 
@@ -99,12 +96,12 @@ ElementKind Conveyor::kind_of(int section) const {
 
 /// The pipe between the node that was the top and the guide: straight, stretched and turning as the node's tangent.
 void Conveyor::feed(System& system, SystemState& state, const EndMotion& guide) {
-  Line& line = system.lines.front();
-  LineState& pipe = state.lines.front();
-  AttachmentState& held = machine_state(system, state);
+  Line& line = system.lines[pipe_.line];
+  LineState& pipe = state.lines[pipe_.line];
+  AttachmentState& held = state.attachments[pipe_.tensioner];
   const int top = line.mesh.nodes() - 1;
   const double length = next_length(), stretch = stretch_of(pipe, top);
-  const bool clamped = system.attachments[static_cast<std::size_t>(system.machine)].hold_direction;
+  const bool clamped = system.attachments[pipe_.tensioner].hold_direction;
   NodeMotion node = node_motion(pipe, top);
   for (std::size_t i = 0; i < 3; ++i) {
     const Eigen::Index k = static_cast<Eigen::Index>(i);
@@ -120,9 +117,9 @@ void Conveyor::feed(System& system, SystemState& state, const EndMotion& guide) 
 }
 
 void Conveyor::haul(System& system, SystemState& state) {
-  Line& line = system.lines.front();
-  LineState& pipe = state.lines.front();
-  AttachmentState& held = machine_state(system, state);
+  Line& line = system.lines[pipe_.line];
+  LineState& pipe = state.lines[pipe_.line];
+  AttachmentState& held = state.attachments[pipe_.tensioner];
   const double length = line.mesh.length.back(), stretch = stretch_of(pipe, line.mesh.nodes() - 1);
   drop_element(line, pipe, LineEnd::last);
   follow_tangent(pipe, line.mesh.nodes() - 1, held.guide);
@@ -135,8 +132,8 @@ void Conveyor::haul(System& system, SystemState& state) {
 /// place, goes on holding.
 void Conveyor::drop_laid(System& system, SystemState& state) {
   if (model_->description.pipe.length) return;  // the anchor is real
-  Line& line = system.lines.front();
-  LineState& pipe = state.lines.front();
+  Line& line = system.lines[pipe_.line];
+  LineState& pipe = state.lines[pipe_.line];
   while (line.mesh.elements() > 2 && fed_ - dropped_ >= line.mesh.length.front()) {
     dropped_ += line.mesh.length.front();
     drop_element(line, pipe, LineEnd::first);
@@ -172,14 +169,14 @@ void Conveyor::coarsen(Line& line, LineState& state) const {
 
 void Conveyor::act(System& system, SystemState& state, const EndMotion& guide) {
   while (due(system, state)) {
-    if (machine_state(system, state).travel.q > 0.0) {
+    if (state.attachments[pipe_.tensioner].travel.q > 0.0) {
       feed(system, state, guide);
     } else {
       haul(system, state);
     }
   }
-  Line& line = system.lines.front();
-  LineState& pipe = state.lines.front();
+  Line& line = system.lines[pipe_.line];
+  LineState& pipe = state.lines[pipe_.line];
   drop_laid(system, state);
   refine(line, pipe);
   coarsen(line, pipe);
@@ -187,7 +184,7 @@ void Conveyor::act(System& system, SystemState& state, const EndMotion& guide) {
 }
 
 std::vector<double> Conveyor::save(const System& system) const {
-  const LineMesh& mesh = system.lines.front().mesh;
+  const LineMesh& mesh = system.lines[pipe_.line].mesh;
   const Attachment& anchor = system.attachments.front();
   std::vector<double> out{fed_, travelled_, dropped_};
   for (const Vec3* v : {&anchor.place, &anchor.direction}) out.insert(out.end(), v->begin(), v->end());
@@ -195,7 +192,7 @@ std::vector<double> Conveyor::save(const System& system) const {
   out.insert(out.end(), mesh.s.begin(), mesh.s.end());
   out.insert(out.end(), mesh.length.begin(), mesh.length.end());
   for (const int section : mesh.section) out.push_back(static_cast<double>(section));
-  for (const LevelMix& mix : system.lines.front().yielding.mix) {
+  for (const LevelMix& mix : system.lines[pipe_.line].yielding.mix) {
     out.insert(out.end(), {static_cast<double>(mix.lower), mix.share});
   }
   return out;
@@ -214,7 +211,7 @@ void Conveyor::restore(const std::vector<double>& saved, System& system) {
   dropped_ = take();
   system.attachments.front().place = take_vector();
   system.attachments.front().direction = take_vector();
-  Line& line = system.lines.front();
+  Line& line = system.lines[pipe_.line];
   const std::size_t elements = static_cast<std::size_t>(take());
   line.mesh.s.resize(elements + 1);
   line.mesh.length.resize(elements);

@@ -58,6 +58,7 @@ class Conveyor {
   void coarsen(Line& line, LineState& state) const;
 
   const Model* model_;
+  LaidPipe pipe_;
   double element_;
   std::vector<double> plan_from_, plan_length_;  ///< Elements by the distance of their upper ends from the tensioner.
   double fine_until_ = 0.0;  ///< Distance from the tensioner beyond which pipe may be coarsened [m].

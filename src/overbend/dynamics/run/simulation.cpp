@@ -30,12 +30,6 @@ bool leans_on_sides(const RollerContacts& rollers) {
   return false;
 }
 
-/// Rollers meet the pipe, which is the first line.
-const std::vector<RollerContact>& contacts_of(const Assembly& assembly) {
-  static const std::vector<RollerContact> none;
-  return assembly.system().lines.empty() ? none : assembly.line(0).contacts().contacts();
-}
-
 }  // namespace
 
 Simulation::Simulation(const Model& model, const StaticSolution& start, double top_tension,
@@ -46,6 +40,7 @@ Simulation::Simulation(const Model& model, RunStart start, const DynamicOptions&
     : options_(options),
       setup_(std::move(start.setup)),
       clock_(make_clock(options, setup_.interval)),
+      pipe_(find_laid_pipe(setup_.system)),
       controllers_(model, options.controllers, setup_.mooring_names, clock_.time(), setup_.system),
       ahead_W_(level_ahead(model.drawn_pose)),
       state_(std::move(start.state)),
@@ -58,9 +53,10 @@ Simulation::Simulation(const Model& model, RunStart start, const DynamicOptions&
   assembly_.emplace(setup_.system);
   stepper_.emplace(*assembly_, options.step);
   tracker_.emplace(setup_.rollers, options.impacts);
-  if (setup_.move && has_tensioner()) conveyor_.emplace(model, setup_.system);
+  if (setup_.move && pipe_) conveyor_.emplace(model, setup_.system);
   chooser_.wanted = options.fixed_step.value_or(std::min(kShortStep * options.time_scale, options.max_step));
   ended_.reserve(setup_.rollers.size());
+  tried_.resize(assembly_->tensioners().size());
   begin();
 }
 
@@ -72,7 +68,11 @@ void Simulation::surroundings(double time, Surroundings& now) {
 void Simulation::begin() {
   water_->start(state_);
   assembly_->set_time(state_.time, state_);
-  if (has_tensioner()) assembly_->set_drive(first_drive(tensioner_of(setup_.system), tensioner()->machine));
+  for (std::size_t i = 0; i < assembly_->tensioners().size(); ++i) {
+    const std::size_t attachment = assembly_->tensioners()[i].attachment;
+    assembly_->set_drive(
+        i, first_drive(*setup_.system.attachments[attachment].tensioner, state_.attachments[attachment].machine));
+  }
   assembly_->impose_ends(state_);
   mobilise_roller_friction(*assembly_, state_);
   lean_on_stops(*assembly_, state_, setup_.system);
@@ -82,20 +82,33 @@ void Simulation::begin() {
   }
   const SystemState before = state_;
   assembly_->evaluate(state_, before, {}, false);
-  observe_tension(*assembly_, 0.0, state_);
+  observe_tensions(*assembly_, 0.0, state_);
   controllers_.begin(*assembly_, state_);
   watches_.start(*assembly_);
   energy_.start(*assembly_, state_, kLeastMotion * energy_scale(), assembly_->free_bodies() > 0);
   ended_.clear();
-  tracker_->accept(contacts_of(*assembly_), state_.time, 1.0, ended_);
+  tracker_->accept(contacts(), state_.time, 1.0, ended_);
   report_.smallest_step = options_.max_step;
   next_ = state_;
   find_elevation();
 }
 
+/// Of the rollers with the pipe.
+const std::vector<RollerContact>& Simulation::contacts() const {
+  static const std::vector<RollerContact> none;
+  return pipe_ ? assembly_->line(pipe_->line).contacts().contacts() : none;
+}
+
+/// Tensioners as they were driven last.
+void Simulation::set_drives() {
+  for (std::size_t i = 0; i < assembly_->tensioners().size(); ++i) {
+    assembly_->set_drive(i, state_.attachments[assembly_->tensioners()[i].attachment].machine.drive);
+  }
+}
+
 /// Force by which the least energy that counts is measured: of the pipe that is laid, else of all that moves [N].
 double Simulation::energy_scale() const {
-  if (has_tensioner()) return setup_.system.lines.front().force_scale;
+  if (pipe_) return setup_.system.lines[pipe_->line].force_scale;
   double scale = 0.0;
   for (const Line& line : setup_.system.lines) scale += line.force_scale;
   for (std::size_t i = 0; i < assembly_->free_bodies(); ++i) scale += assembly_->free_body(i).force_scale;
@@ -106,7 +119,7 @@ double Simulation::energy_scale() const {
 bool Simulation::part_lines() {
   if (!part_due_lines(setup_.system, state_)) return true;
   assembly_->set_time(state_.time, state_);
-  if (has_tensioner()) assembly_->set_drive(tensioner()->machine.drive);
+  set_drives();
   stepper_->forget();
   if (!options_.fixed_step) chooser_.start_short(kEventStep * options_.time_scale);
   return begin_motion(*assembly_, state_);
@@ -118,7 +131,8 @@ void Simulation::find_elevation() {
 }
 
 Instant Simulation::now() const {
-  Instant at{&state_, &*assembly_, tensioner(), state_.last_step, elevation_, energy_.balance().drift(), {}};
+  Instant at{&state_, &*assembly_, tensioner(), state_.last_step, elevation_, energy_.balance().drift(), {}, {}};
+  if (pipe_) at.pipe_line = pipe_->line;
   if (at.tensioner != nullptr) at.move.paid_out = at.tensioner->travel.q;
   if (setup_.move) {
     at.move.moves = true;
@@ -136,9 +150,8 @@ Instant Simulation::now() const {
 void Simulation::convey() {
   if (!conveyor_ || !conveyor_->due(setup_.system, state_)) return;
   const InstantEnergy before = assembly_->energy(state_);
-  conveyor_->act(setup_.system, state_,
-                 assembly_->surroundings().ends[static_cast<std::size_t>(setup_.system.machine)]);
-  water_->renew(0, setup_.system.lines.front().mesh, state_);
+  conveyor_->act(setup_.system, state_, assembly_->surroundings().ends[pipe_->tensioner]);
+  water_->renew(pipe_->line, setup_.system.lines[pipe_->line].mesh, state_);
   renew_system();
   energy_.carry(before, *assembly_, state_);
   watches_.renew(*assembly_);
@@ -157,8 +170,8 @@ void Simulation::observe(SimulationObserver& observer) {
 }
 
 void Simulation::set_tension(double wanted) {
-  if (!has_tensioner()) throw std::invalid_argument("there is no tensioner to set");
-  set_wanted_tension(setup_.system.attachments[static_cast<std::size_t>(setup_.system.machine)].tensioner, wanted);
+  if (!pipe_) throw std::invalid_argument("there is no tensioner to set");
+  set_wanted_tension(*setup_.system.attachments[pipe_->tensioner].tensioner, wanted);
 }
 
 void Simulation::command(const std::string& machine, const MachineCommand& command) {
@@ -180,7 +193,7 @@ void Simulation::adapt(double h) {
   const double error =
       chooser_.error(options_.error_tolerance, options_.max_step, [&] { return stepper_->local_error(state_, next_); });
   double longest = std::min(options_.max_step, watches_.longest_step(*assembly_, h));
-  if (!setup_.rollers.empty() && !options_.impacts.captured && leans_on_sides(assembly_->line(0).contacts())) {
+  if (pipe_ && !options_.impacts.captured && leans_on_sides(assembly_->line(pipe_->line).contacts())) {
     longest = std::min(longest, kShortStep * options_.time_scale);
   }
   watches_.took(*assembly_, h);
@@ -200,9 +213,8 @@ bool Simulation::reject(double wanted) {
   return false;
 }
 
-/// Tries a step of `h` towards the tick at `target`. `to_event` receives what the tensioner allows the next try,
-/// `tried` what this one did.
-bool Simulation::attempt(double h, double target, double& to_event, EventTry& tried) {
+/// Tries a step of `h` towards the tick at `target`. `to_event` receives what the tensioners allow the next try.
+bool Simulation::attempt(double h, double target, double& to_event) {
   const StepReport step = stepper_->step(state_, h, next_);
   report_.newton_iterations += step.iterations;
   report_.factorisations += step.factorisations;
@@ -212,9 +224,9 @@ bool Simulation::attempt(double h, double target, double& to_event, EventTry& tr
     return false;
   }
   if (!options_.fixed_step) {
-    const ImpactLimit impact = tracker_->check(contacts_of(*assembly_), h);
+    const ImpactLimit impact = tracker_->check(contacts(), h);
     if (impact.reject) return reject(impact.step);
-    to_event = step_to_tensioner(*assembly_, h, state_, next_, kEventStep * options_.time_scale, tried);
+    to_event = step_to_tensioner(*assembly_, h, state_, next_, kEventStep * options_.time_scale, tried_);
     if (to_event < h) return reject(chooser_.wanted);
     const double longest = watches_.longest_step(*assembly_, h);
     if (watches_.snapped(h, longest)) return reject(longest);
@@ -230,8 +242,8 @@ void Simulation::accept(double h) {
   adapt(h);
   energy_.add(*assembly_, next_, h);
   ended_.clear();
-  tracker_->accept(contacts_of(*assembly_), next_.time, h, ended_);
-  observe_tension(*assembly_, h, next_);
+  tracker_->accept(contacts(), next_.time, h, ended_);
+  observe_tensions(*assembly_, h, next_);
   std::swap(state_, next_);
   find_elevation();
   ++report_.steps;
@@ -260,12 +272,12 @@ bool Simulation::step() {
   ask_controllers();
   const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
   double to_event = kUnlimited, h = 0.0;
-  EventTry tried;
+  std::fill(tried_.begin(), tried_.end(), EventTry{});
   do {
     if (failure_) return false;
     const double longest = options_.fixed_step ? kUnlimited : tracker_->step_limit();
     h = std::min(chooser_.choose(target - state_.time, longest), std::min(to_event, to_timed_event()));
-  } while (!attempt(h, target, to_event, tried));
+  } while (!attempt(h, target, to_event));
   if (state_.time >= target) reach_tick();
   convey();
   return true;

@@ -76,7 +76,7 @@ class Simulation {
   /// The present, with the system evaluated at the state: tension, moments, contacts and surroundings can be read.
   Instant now() const;
   /// Force of the tensioner on the pipe; 0 without one [N].
-  double tension() const { return setup_.system.machine < 0 ? 0.0 : assembly_->machine_tension(); }
+  double tension() const { return pipe_ ? assembly_->tension(0) : 0.0; }
   const EnergyBalance& energy() const { return energy_.balance(); }
   const DynamicRunReport& report() const { return report_; }  ///< Without what a driver knows: ratio and integrator.
 
@@ -95,16 +95,15 @@ class Simulation {
   void restore(const DynamicCheckpoint& checkpoint);
 
  private:
-  bool has_tensioner() const { return setup_.system.machine >= 0; }
-  const AttachmentState* tensioner() const {
-    return has_tensioner() ? &state_.attachments[static_cast<std::size_t>(setup_.system.machine)] : nullptr;
-  }
+  const AttachmentState* tensioner() const { return pipe_ ? &state_.attachments[pipe_->tensioner] : nullptr; }
+  const std::vector<RollerContact>& contacts() const;
+  void set_drives();
   void surroundings(double time, Surroundings& now);
   void begin();
   double energy_scale() const;
   bool part_lines();
   void ask_controllers();
-  bool attempt(double h, double target, double& to_event, EventTry& tried);
+  bool attempt(double h, double target, double& to_event);
   bool reject(double wanted);
   void accept(double h);
   void reach_tick();
@@ -119,6 +118,7 @@ class Simulation {
   DynamicOptions options_;
   RunSetup setup_;
   Clock clock_;
+  std::optional<LaidPipe> pipe_;  ///< Where one is laid.
   Controllers controllers_;
   std::optional<WaterOnLines> water_;
   Vec3 ahead_W_;            ///< Horizontal unit vector ahead along the lay route.
@@ -132,6 +132,7 @@ class Simulation {
   StepChooser chooser_;
   TensionWatches watches_;
   std::vector<EndedImpact> ended_;
+  std::vector<EventTry> tried_;  ///< Of the tensioners, within a step.
   DynamicRunReport report_;
   std::optional<StaticFailure> failure_;
   std::vector<SimulationObserver*> observers_;

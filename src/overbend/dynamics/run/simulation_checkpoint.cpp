@@ -14,7 +14,7 @@ DynamicCheckpoint Simulation::checkpoint() const {
   save_water(c, water_->memories());
   if (conveyor_) {
     c.arrays.push_back({"conveyor", conveyor_->save(setup_.system)});
-    const std::vector<int>& stations = water_->stations(0);
+    const std::vector<int>& stations = water_->stations(pipe_->line);
     if (!stations.empty()) c.arrays.push_back({"conveyor/stations", {stations.begin(), stations.end()}});
   }
   c.arrays.push_back({"impacts", tracker_->save()});
@@ -56,14 +56,14 @@ void Simulation::restore_pipe(const DynamicCheckpoint& checkpoint) {
   conveyor_->restore(checkpoint_array(checkpoint, "conveyor"), setup_.system);
   if (water_->calm()) return;
   const std::vector<double>& stations = checkpoint_array(checkpoint, "conveyor/stations");
-  water_->place_stations(0, setup_.system.lines.front().mesh, {stations.begin(), stations.end()});
+  water_->place_stations(pipe_->line, setup_.system.lines[pipe_->line].mesh, {stations.begin(), stations.end()});
 }
 
 /// Brings the system to the state restored, so that the present can be read. The state itself keeps its bits.
 void Simulation::evaluate_present() {
   SystemState at = state_;
   assembly_->set_time(at.time, at);
-  if (has_tensioner()) assembly_->set_drive(tensioner()->machine.drive);
+  set_drives();
   assembly_->evaluate(at, state_, {}, false);
   find_elevation();
 }

@@ -28,12 +28,14 @@ struct Instant {
   double elevation = 0.0;                      ///< Of the water at the stern shoe's mean place [m].
   double drift = 0.0;                          ///< Of energy, relative.
   MoveInstant move;
+  std::size_t pipe_line = 0;  ///< Of the pipe that is laid, where there is one.
 
-  const LineState& pipe() const { return state->lines.front(); }
-  const std::vector<RollerContact>& contacts() const { return assembly->line(0).contacts().contacts(); }
-  const RigidMotion& vessel() const { return assembly->surroundings().bodies.front(); }
+  const LineAssembly& pipe_assembly() const { return assembly->line(pipe_line); }
+  const LineState& pipe() const { return state->lines[pipe_line]; }
+  const std::vector<RollerContact>& contacts() const { return pipe_assembly().contacts().contacts(); }
+  const RigidMotion& vessel() const { return assembly->surroundings().bodies[kVessel]; }
   /// At the nodes of the pipe, as Surroundings::water.
-  const std::vector<double>& water() const { return assembly->surroundings().water.front(); }
+  const std::vector<double>& water() const { return assembly->surroundings().water[pipe_line]; }
 };
 
 /// References are valid during a call only. Whatever an observer remembers between calls belongs in a checkpoint.

@@ -69,13 +69,14 @@ System pipe_system(const Model& model, const StaticSolution& solution, double st
   choose_levels(line.yielding, solution.state.q.data());
   // Without the laid tail carried on behind the static line: how well forces are balanced does not depend on its
   // length.
+  line.name = "pipe";
+  line.role = LineRole::pipe;
   line.force_scale = weight_from(line.mesh, line.elements, 0.0);
   const double radius =
       *std::max_element(line.elements.radius.begin(), line.elements.radius.begin() + line.elements.count);
   system.bodies.push_back(vessel_body(model, radius));
   system.lines.push_back(std::move(line));
   system.attachments = {anchor_of(model, solution), tensioner_of(model, solution, static_tension)};
-  system.machine = 1;
   system.rub = static_rub(model);
   return system;
 }

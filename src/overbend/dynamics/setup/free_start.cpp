@@ -40,10 +40,12 @@ Vec6 in_world(Vec6 offset, const Vec6& drawn) {
 }  // namespace
 
 std::optional<StaticFailure> rest_afloat(Assembly& assembly, Ballast ballast, Hull& hull, SystemState& state) {
-  const System& system = assembly.system();
-  const bool locked = tensioner_of(system).mode == TensionerMode::locked;
   assembly.set_time(state.time, state);
-  assembly.set_drive(locked ? TensionerDrive::brake : TensionerDrive::governor);
+  for (std::size_t i = 0; i < assembly.tensioners().size(); ++i) {
+    const Attachment& held = assembly.system().attachments[assembly.tensioners()[i].attachment];
+    const bool locked = held.tensioner->mode == TensionerMode::locked;
+    assembly.set_drive(i, locked ? TensionerDrive::brake : TensionerDrive::governor);
+  }
   assembly.impose_ends(state);
   if (ballast == Ballast::trim) {
     SystemState held = state;

@@ -45,7 +45,7 @@ void prepend(std::vector<Value>& values, const std::vector<Value>& before) {
 }  // namespace
 
 double tail_to_hold(const Model& model, double top_tension) {
-  const double hold = model.seabed.friction_axial * model.sections.front().weight_submerged;  // the far pipe's
+  const double hold = model.seabed.friction_axial * model.pipe_section().weight_submerged;  // the far pipe's
   return hold > 0.0 ? top_tension / hold : std::numeric_limits<double>::infinity();
 }
 
@@ -58,7 +58,7 @@ StaticSolution with_laid_tail(const Model& model, const StaticSolution& solution
   }
   Vec3 place(Eigen::Map<const Vec3>(solution.state.q.data()));
   const Vec3 end(Eigen::Map<const Vec3>(solution.state.q.data() + 3)), away = -end.normalized();
-  const double dry = -model.sections.front().outer_radius();
+  const double dry = -model.pipe_section().outer_radius();
   LineMesh before;
   std::vector<double> q;
   double s = 0.0, stretched = end.norm();

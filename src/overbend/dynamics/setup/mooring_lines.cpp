@@ -180,21 +180,28 @@ bool lies_across_a_slope(const Line& line, const LineState& state) {
   return false;
 }
 
+/// The mooring lines of a system by themselves.
+System moorings_alone(const System& system, const std::vector<std::size_t>& lines) {
+  System alone = system;
+  alone.lines.clear();
+  alone.attachments.clear();
+  for (const std::size_t line : lines) alone.lines.push_back(system.lines[line]);
+  return alone;
+}
+
 /// The mooring lines of a state, on bodies that stay where they are.
 RestReport rest_alone(const System& system, const std::vector<RigidMotion>& bodies, SystemState& state) {
-  const auto first = static_cast<std::ptrdiff_t>(first_mooring(system));
-  System alone = system;
-  alone.lines.erase(alone.lines.begin(), alone.lines.begin() + first);
+  const std::vector<std::size_t> lines = find_lines(system, LineRole::mooring);
+  System alone = moorings_alone(system, lines);
   alone.bodies.assign(bodies.size(), Body{});
-  alone.attachments.clear();
-  alone.machine = -1;
   SystemState at;
   at.time = state.time;
-  at.lines.assign(state.lines.begin() + first, state.lines.end());
+  for (const std::size_t line : lines) at.lines.push_back(state.lines[line]);
   for (std::size_t i = 0; i < system.attachments.size(); ++i) {
-    if (system.attachments[i].line < first) continue;
+    const auto found = std::ranges::find(lines, static_cast<std::size_t>(system.attachments[i].line));
+    if (found == lines.end()) continue;
     alone.attachments.push_back(system.attachments[i]);
-    alone.attachments.back().line -= static_cast<int>(first);
+    alone.attachments.back().line = static_cast<int>(found - lines.begin());
     at.attachments.push_back(state.attachments[i]);
   }
   alone.surroundings = [&](double, Surroundings& now) {
@@ -203,7 +210,7 @@ RestReport rest_alone(const System& system, const std::vector<RigidMotion>& bodi
   };
   Assembly assembly(alone);
   const RestReport report = rest_together(assembly, at);
-  std::copy(at.lines.begin(), at.lines.end(), state.lines.begin() + first);
+  for (std::size_t i = 0; i < lines.size(); ++i) state.lines[lines[i]] = std::move(at.lines[i]);
   return report;
 }
 
@@ -212,7 +219,8 @@ RestReport rest_alone(const System& system, const std::vector<RigidMotion>& bodi
 LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, System& system) {
   LineShapes shapes;
   const MooringsDescription& moorings = moorings_of(model.description);
-  const double pipe_scale = system.lines.empty() ? 0.0 : system.lines.front().force_scale;
+  const std::optional<LaidPipe> pipe = find_laid_pipe(system);
+  const double pipe_scale = pipe ? system.lines[pipe->line].force_scale : 0.0;
   for (std::size_t i = 0; i < spread.lines.size(); ++i) {
     const MooredLine& moored = spread.lines[i];
     if (moored.parted) continue;
@@ -227,6 +235,8 @@ LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, Sy
     const int line = static_cast<int>(system.lines.size());
     system.lines.push_back(
         cable_line(model, parts, {touchdown, std::nullopt, last_element(model, i)}, moored.anchor_W, fairlead_W));
+    system.lines.back().name = moored.name;
+    system.lines.back().role = LineRole::mooring;
     if (const std::optional<double> friction = bow ? std::nullopt : friction_of_what_lies(moored, hangs)) {
       system.lines.back().environment.bed_friction_axial = *friction;
       system.lines.back().environment.bed_friction_lateral = *friction;
@@ -250,7 +260,7 @@ double winch_range(const Line& line) {
 
 System pulled_in(const System& system, SystemState& state) {
   System pulled = system;
-  for (std::size_t i = first_mooring(system); i < pulled.lines.size(); ++i) {
+  for (const std::size_t i : find_lines(system, LineRole::mooring)) {
     LineEnvironment& env = pulled.lines[i].environment;
     const bool reached = stretch_as_pulled_in(system.lines[i], state.lines[i]);
     if (reached && !lies_across_a_slope(system.lines[i], state.lines[i])) env.bed_friction_lateral = 0.0;
@@ -259,14 +269,23 @@ System pulled_in(const System& system, SystemState& state) {
   return pulled;
 }
 
+namespace {
+
+/// By its number among the mooring lines.
+std::string name_of_mooring(const System& system, int number) {
+  return system.lines[find_lines(system, LineRole::mooring)[static_cast<std::size_t>(number)]].name;
+}
+
+}  // namespace
+
 std::optional<StaticFailure> rest_mooring_lines(const System& system, const std::vector<RigidMotion>& bodies,
-                                                const std::vector<std::string>& names, SystemState& state) {
+                                                SystemState& state) {
   const System pulled = pulled_in(system, state);
   for (const System* one : {&pulled, &system}) {
     const RestReport report = rest_alone(*one, bodies, state);
     if (report.converged) continue;
     return StaticFailure{"a mooring line does not come to rest",
-                         "'" + names[static_cast<std::size_t>(report.worst_place.first)] + "'",
+                         "'" + name_of_mooring(system, report.worst_place.first) + "'",
                          "look at its length and at the place of its anchor"};
   }
   return std::nullopt;

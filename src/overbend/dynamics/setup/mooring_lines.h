@@ -18,7 +18,7 @@ LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, Sy
 /// How much a winch at the last end of a line may pay out and haul in: its last element gives it [m].
 double winch_range(const Line& line);
 
-/// The system in which its mooring lines, all from first_mooring() on, come to rest as what has been pulled in over a
+/// The system in which its mooring lines come to rest as what has been pulled in over a
 /// bed that rubs: tension falls from touchdown towards the anchor by the friction, as in a catenary. Stretches the
 /// friction of `state` so that it slides that way. Across their course nothing holds them, but those whose tension ends
 /// before the anchor, or that lie across a slope; no current flows on them. With friction and current they come to rest
@@ -27,7 +27,7 @@ System pulled_in(const System& system, SystemState& state);
 
 /// Brings the mooring lines of a state to rest, pulled in, on bodies that stay where they are; or says which does not.
 std::optional<StaticFailure> rest_mooring_lines(const System& system, const std::vector<RigidMotion>& bodies,
-                                                const std::vector<std::string>& names, SystemState& state);
+                                                SystemState& state);
 
 /// Names of the lines that are there, in the order of the system.
 std::vector<std::string> mooring_names(const MooringSpread& spread);

@@ -9,7 +9,8 @@ std::vector<LengthTable> winch_programs(const StaticSolution& start) {
 void follow_programs(const MooringSpread& spread, const std::vector<LengthTable>& programs, System& system) {
   std::size_t mooring = 0;
   for (Attachment& held : system.attachments) {
-    if (static_cast<std::size_t>(held.line) < first_mooring(system) || held.end != LineEnd::last) continue;
+    const bool mooring_line = system.lines[static_cast<std::size_t>(held.line)].role == LineRole::mooring;
+    if (!mooring_line || held.end != LineEnd::last) continue;
     while (mooring < spread.lines.size() && spread.lines[mooring].parted) ++mooring;
     if (mooring >= programs.size()) return;
     WinchLaw& winch = held.winch ? *held.winch : held.winch.emplace();

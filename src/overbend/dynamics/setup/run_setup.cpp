@@ -45,7 +45,9 @@ void add_lines(const Model& model, const StaticSolution& start, RunSetup& setup)
 
 /// Of the balance of a hull: of its pipe, else of what keeps it in its place.
 double scale_of(const Description& d, const StaticSolution& start, const RunSetup& setup) {
-  if (setup.system.machine >= 0) return setup.system.lines.front().force_scale;
+  if (const std::optional<LaidPipe> pipe = find_laid_pipe(setup.system)) {
+    return setup.system.lines[pipe->line].force_scale;
+  }
   return force_scale(*start.moorings, d.station_keeping);
 }
 
@@ -60,8 +62,8 @@ void add_motion(const Model& model, const StaticSolution& start, const DynamicOp
   setup.hull = std::make_unique<MadeHull>(make_hull(model, setup.sea, options.build_up, start.station_stiffness));
   setup.hull->hull.mean_drift_from_start = d.statics.mean_drift.value_or(true);
   setup.ballast = d.vessel.coupled->ballast;
-  FreeBody& body =
-      setup.system.bodies.front().free.emplace(free_hull(setup.hull->hull, scale_of(d, start, setup), d.vessel.length));
+  FreeBody& body = setup.system.bodies[kVessel].free.emplace(
+      free_hull(setup.hull->hull, scale_of(d, start, setup), d.vessel.length));
   if (start.moorings && is_quasi_static(d)) {
     body.springs = quasi_static_lines(*start.moorings, winch_programs(start));
   }
@@ -78,9 +80,9 @@ void add_move(const Model& model, const StaticSolution& start, RunSetup& setup) 
     keeping.move = setup.move;
     keeping.ahead_W = level_ahead(model.drawn_pose).head<2>();
   }
-  if (setup.system.machine < 0) return;
-  setup.system.attachments[static_cast<std::size_t>(setup.system.machine)].tensioner.limit =
-      std::numeric_limits<double>::infinity();  // a track tensioner feeds without end
+  if (const std::optional<LaidPipe> pipe = find_laid_pipe(setup.system)) {  // a track tensioner feeds without end
+    setup.system.attachments[pipe->tensioner].tensioner->limit = std::numeric_limits<double>::infinity();
+  }
 }
 
 }  // namespace
@@ -93,7 +95,7 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
   setup.water_place = d.has_pipe ? point_from_ramp(model, model.mean_pose, Vec3::Zero()) : model.mean_pose.p_WV;
   if (d.has_pipe) {
     setup.system = pipe_system(model, start, static_tension);
-    setup.rollers = setup.system.bodies.front().rollers;
+    setup.rollers = setup.system.bodies[kVessel].rollers;
     hang_stinger(model, setup.sea, options.build_up, setup.system);
   } else {
     setup.system.bodies.emplace_back();  // the vessel
@@ -118,7 +120,7 @@ RunStart make_run_start(const Model& model, const StaticSolution& start, double 
 void lead_bodies_and_ends(const RunSetup& setup, double time, Surroundings& now) {
   if (!setup.hull) {
     const MoveAhead ahead{setup.move ? setup.move->at(time) : WayPoint{}, setup.wave_numbers_ahead};
-    now.bodies.front() = vessel_motion(setup.motion, ahead, time, half_cosine(time, setup.system.build_up));
+    now.bodies[kVessel] = vessel_motion(setup.motion, ahead, time, half_cosine(time, setup.system.build_up));
   }
   lead_attachments(setup.system, now);
   swing_ends(setup.swings, time, setup.system.build_up, now.ends);
@@ -127,12 +129,13 @@ void lead_bodies_and_ends(const RunSetup& setup, double time, Surroundings& now)
 SystemState state_at_start(const RunSetup& setup, const StaticSolution& start, double time) {
   const System& system = setup.system;
   LineShapes shapes;
-  if (system.machine >= 0) shapes.push_back(start.state.q);
+  const std::optional<LaidPipe> pipe = find_laid_pipe(system);
+  if (pipe) shapes.push_back(start.state.q);
   shapes.insert(shapes.end(), setup.moorings.begin(), setup.moorings.end());
   const std::size_t first_line = shapes.size();
   for (std::size_t i = 0; i < setup.line_names.size(); ++i) shapes.push_back(start.lines->state.lines[i].q);
   SystemState state = state_at_rest(system, shapes, time);
-  if (system.machine >= 0) lay_at_rest(system.lines.front(), start, state.lines.front());
+  if (pipe) lay_at_rest(system.lines[pipe->line], start, state.lines[pipe->line]);
   for (std::size_t i = 0; i < setup.line_names.size(); ++i) {
     LineState& line = state.lines[first_line + i];
     if (start.lines->rest.in_bows[i]) {
@@ -148,10 +151,9 @@ std::optional<StaticFailure> come_to_rest(RunSetup& setup, const Vec6& release, 
   System& system = setup.system;
   if (setup.hull) {
     std::optional<StaticFailure> failure = let_hull_go(system, setup.ballast, setup.hull->hull, release, state);
-    if (system.machine >= 0) {
-      const std::size_t machine = static_cast<std::size_t>(system.machine);
-      MotionValues& travel = state.attachments[machine].travel;
-      Attachment& top = system.attachments[machine];
+    for (const std::size_t tensioner : find_tensioners(system)) {
+      MotionValues& travel = state.attachments[tensioner].travel;
+      Attachment& top = system.attachments[tensioner];
       top.place -= travel.q * top.direction;
       travel = {};
     }
@@ -160,7 +162,7 @@ std::optional<StaticFailure> come_to_rest(RunSetup& setup, const Vec6& release, 
   if (setup.moorings.empty()) return std::nullopt;
   Assembly assembly(system);
   assembly.set_time(state.time, state);
-  return rest_mooring_lines(system, assembly.surroundings().bodies, setup.mooring_names, state);
+  return rest_mooring_lines(system, assembly.surroundings().bodies, state);
 }
 
 }  // namespace overbend

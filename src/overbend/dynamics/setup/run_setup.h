@@ -24,8 +24,8 @@ struct RunSetup {
   System system;
   std::vector<BodyRoller> rollers;  ///< Of the vessel and of the stinger's sections, in the order of the supports.
   std::vector<std::string> mooring_names;
-  std::vector<std::string> line_names;  ///< Of the lines that stand by themselves, the last ones of the system.
-  LineShapes moorings;  ///< First shapes of the mooring lines, which stand among the lines from first_mooring() on.
+  std::vector<std::string> line_names;     ///< Of the lines that stand by themselves, the last ones of the system.
+  LineShapes moorings;                     ///< First shapes of the mooring lines.
   std::vector<EndSwing> swings;            ///< Of ends that move by themselves.
   std::vector<double> wave_numbers_ahead;  ///< Of the terms of `motion`, where the vessel moves ahead.
   std::optional<MoveProfile> move;         ///< Where the vessel is moved ahead.

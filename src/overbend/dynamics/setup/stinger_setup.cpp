@@ -180,17 +180,18 @@ void hang_stinger(const Model& model, const Sea& sea, double build_up, System& s
   if (!stinger_floats(model)) {
     return;
   }
-  const LineElements& pipe = system.lines.front().elements;
+  const Line& pipe_line = system.lines[find_laid_pipe(system).value().line];
+  const LineElements& pipe = pipe_line.elements;
   const double pipe_radius = *std::max_element(pipe.radius.begin(), pipe.radius.begin() + pipe.count);
   const auto water =
       std::make_shared<const SectionSea>(SectionSea{sea, model.current, build_up, model.water_weight_density});
-  const std::vector<BodyRoller> all = system.bodies.front().rollers;
-  put_rollers(model, all, -1, pipe_radius, system.bodies.front());
+  const std::vector<BodyRoller> all = system.bodies[kVessel].rollers;
+  put_rollers(model, all, -1, pipe_radius, system.bodies[kVessel]);
   for (std::size_t i = 0; i < model.supports.sections.size(); ++i) {
     Body body;
-    body.ramp_origin_V = system.bodies.front().ramp_origin_V;
+    body.ramp_origin_V = system.bodies[kVessel].ramp_origin_V;
     put_rollers(model, all, static_cast<int>(i), pipe_radius, body);
-    body.free = hinged_body(model, i, water, system.lines.front().force_scale);
+    body.free = hinged_body(model, i, water, pipe_line.force_scale);
     system.bodies.push_back(std::move(body));
   }
 }

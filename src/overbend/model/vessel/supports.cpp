@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/description/description.h"
 #include "model/pipe/contact_stiffness.h"
 #include "model/vessel/stinger_turn.h"
 

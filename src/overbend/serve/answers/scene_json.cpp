@@ -132,7 +132,7 @@ Json bed_shape(const BedSurface& bed) {
 
 /// Without a pipe there is nothing to draw.
 double outer_radius(const Model& model) {
-  return model.sections.empty() ? 0.0 : 0.5 * model.sections.front().outer_diameter;
+  return model.sections.empty() ? 0.0 : 0.5 * model.pipe_section().outer_diameter;
 }
 
 }  // namespace

@@ -193,7 +193,7 @@ void Equilibrium::advance(SystemState& to, const SystemState& from, const Increm
     const double* part = dq[line].data() + 6 * assembly_->line(line).end_node(held.end);
     const auto along = [&](const double* d) { return share * directions_[i].dot(Vec3(Eigen::Map<const Vec3>(d))); };
     move_by(to.attachments[i].guide, along(part + 3), laid.attachments[i].guide.q, rate);
-    if (static_cast<int>(i) != assembly_->system().machine) continue;
+    if (!held.tensioner) continue;
     move_by(to.attachments[i].travel, -along(part), laid.attachments[i].travel.q, rate);
   }
 }

@@ -38,7 +38,7 @@ System lay_system(const Model& model, const VesselPose& pose, const std::optiona
   system.attachments = {Attachment{}, top_end(guide.has_value())};
   system.far_forces = {0};
   system.surroundings = [vessel = resting(pose), guide](double, Surroundings& now) {
-    now.bodies.front() = vessel;
+    now.bodies[kVessel] = vessel;
     if (guide) now.ends.back().direction = *guide;
   };
   return system;

@@ -26,7 +26,7 @@ FreeSpan hang(const Model& model, double H, double bed_z, double slope, double t
     span.distance.push_back(x);
     span.z.push_back(z);
     span.dip.push_back(dip);
-    V += step * weight_at(model, model.sections.front(), z);
+    V += step * weight_at(model, model.pipe_section(), z);
     const double middle = std::atan2(V, H);
     x += step * std::cos(0.5 * (dip + middle));
     z += step * std::sin(0.5 * (dip + middle));
@@ -79,7 +79,7 @@ LayPlane lay_plane(const Model& model, const VesselPose& pose) {
   const LayRoute route = lay_route(model);
   const Vec3 tensioner_W = point_from_ramp(model, pose, Vec3(tensioner.x, 0.0, tensioner.z));
   LayPlane plane{route, tensioner_W, route.direction(0.0), route.port(0.0), model.seabed.surface, 0.0, 0.0};
-  plane.radius = model.sections.front().outer_radius();
+  plane.radius = model.pipe_section().outer_radius();
   const Vec3 guide_W = direction_from_ramp(pose, Vec3(std::cos(tensioner.incline), 0.0, -std::sin(tensioner.incline)));
   plane.guide_dip = std::atan2(-guide_W.z(), guide_W.dot(plane.astern_W));
   return plane;
@@ -127,7 +127,7 @@ bool LandingSearch::follow(double landed, double near) {
 }
 
 LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
-  const Section& pipe = model.sections.front();
+  const Section& pipe = model.pipe_section();
   LayShape shape;
   // A pipe with little tension hangs by its bending stiffness: the catenary of the guess keeps to what bending would
   // allow.

@@ -77,7 +77,7 @@ void append_tail(LayShape& shape, const LayPlane& plane, double tail) {
 }
 
 double tail_length(const Model& model, double H, double suspended) {
-  const Section& pipe = model.sections.front();
+  const Section& pipe = model.pipe_section();
   const double soil = std::pow(4.0 * pipe.EI / model.seabed.stiffness, 0.25);
   return 12.0 * soil + 2.0 * std::sqrt(pipe.EI / H) + std::clamp(0.25 * suspended, 30.0, 300.0);
 }

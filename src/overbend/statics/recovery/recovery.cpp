@@ -292,8 +292,8 @@ void copy_model(StaticResults& results, const Model& model) {
   results.vessel_depth = vessel.depth;
   results.vessel_draught = vessel.draught;
   results.water_depth = model.description.environment.water_depth;
-  results.pipe_outer_diameter = model.sections.front().outer_diameter;
-  results.steel_outer_diameter = model.sections.front().steel_diameter;
+  results.pipe_outer_diameter = model.pipe_section().outer_diameter;
+  results.steel_outer_diameter = model.pipe_section().steel_diameter;
   results.wanted_tension = model.description.tensioner.tension.value_or(0.0);
 }
 

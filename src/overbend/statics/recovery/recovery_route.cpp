@@ -82,7 +82,7 @@ void recover_route(StaticResults& results, const StaticSystem& system, const Lin
   const double touchdown = drawn.distance(results.touchdown.p_W);
   const double sharpest = drawn.sharpest_behind(touchdown);
   route.radius = sharpest > 0.0 ? 1.0 / sharpest : 0.0;
-  const double hold = model.seabed.friction_lateral * model.sections.front().weight_submerged;
+  const double hold = model.seabed.friction_lateral * model.pipe_section().weight_submerged;
   if (hold > 0.0) route.least_radius = std::max(0.0, results.bottom_tension) / hold;
   route.holds = sharpest == 0.0 || (hold > 0.0 && route.radius >= route.least_radius);
   route.laid_offset = drawn.offset(results.touchdown.p_W);

@@ -52,7 +52,7 @@ StructureResult recovered(const Model& model, const SectionSpan& span, const Sta
   structure.name = model.sections[static_cast<std::size_t>(span.section)].name;
   structure.from_top = 0.5 * (span.from + span.to);
   const double to = results.total_length - span.from, from = results.total_length - span.to;
-  const double reach = kBesideDiameters * model.sections.front().outer_diameter;
+  const double reach = kBesideDiameters * model.pipe_section().outer_diameter;
   const Station& middle = nearest_station(results.stations, 0.5 * (from + to));
   structure.p_W = middle.p_W;
   structure.astern = middle.astern;

@@ -67,7 +67,7 @@ double max_strain_beside(const StaticResults& results, const SectionSpan& span, 
 /// has not the history of its passage.
 void warn_of_strain_beside_stiff_stretches(Findings& list, const Model& model, const StaticResults& results) {
   const bool own_history = model.description.stage || model.description.statics.history != LayHistory::laying;
-  const Section& pipe = model.sections.front();
+  const Section& pipe = model.pipe_section();
   if (own_history || !pipe.bending) return;
   for (const SectionSpan& span : model.spans) {
     const Section& section = model.sections[static_cast<std::size_t>(span.section)];
@@ -126,7 +126,7 @@ void warn_of_incline(Findings& list, const Model& model) {
   const TensionerDescription& tensioner = model.description.tensioner;
   if (model.supports.boxes.empty() || tensioner.guide != Guide::clamped) return;
   const Vec3& box = model.supports.boxes.front().point_S;
-  const double dx = box.x() - tensioner.x, dz = box.z() + 0.5 * model.sections.front().outer_diameter - tensioner.z;
+  const double dx = box.x() - tensioner.x, dz = box.z() + 0.5 * model.pipe_section().outer_diameter - tensioner.z;
   const double off = tensioner.incline - std::atan2(-dz, dx), bend = 2.0 * std::abs(off) / std::hypot(dx, dz);
   const SteelDescription& steel = model.description_of(static_cast<std::size_t>(model.section_at(0.0))).steel;
   const double yields_at = 2.0 * steel.yield_stress / (steel.youngs_modulus * steel.outside_diameter);

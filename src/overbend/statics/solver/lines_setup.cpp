@@ -86,6 +86,7 @@ LinesSetup setup_on(const Model& model, const std::vector<std::vector<FineStretc
     CableMesh mesh{start.touchdown(), line.element, 0.0, {}};
     if (!fine.empty()) mesh.fine = fine[static_cast<std::size_t>(number)];
     system.lines.push_back(cable_line(model, parts, mesh, first, second));
+    system.lines.back().name = line.name;
     setup.start.push_back(start.shape(system.lines.back().mesh));
     system.attachments.push_back(attachment_of(model, line.first, number, LineEnd::first));
     system.attachments.push_back(attachment_of(model, line.second, number, LineEnd::last));
@@ -93,7 +94,7 @@ LinesSetup setup_on(const Model& model, const std::vector<std::vector<FineStretc
   }
   // By value: the system may be moved.
   system.surroundings = [vessel = resting(model.mean_pose), ends = system.attachments](double, Surroundings& now) {
-    now.bodies.front() = vessel;
+    now.bodies[kVessel] = vessel;
     lead_attachments(ends, now);
   };
   return setup;

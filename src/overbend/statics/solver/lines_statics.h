@@ -1,4 +1,4 @@
-/// ModelEquilibrium of lines between held ends: mooring lines, and lines that stand by themselves. Lines that share no
+/// Equilibrium of lines between held ends: mooring lines, and lines that stand by themselves. Lines that share no
 /// unknowns rest each by itself.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// ModelEquilibrium of lines and free bodies together.
+/// Equilibrium of lines and free bodies together.
 #pragma once
 
 #include "statics/equations/equilibrium.h"

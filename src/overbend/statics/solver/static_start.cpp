@@ -136,7 +136,7 @@ double shape_distance(const LayShape& shape, double length) {
 
 double tension_for_anchor(const Model& model, const LayPlane& plane) {
   const Description& d = model.description;
-  const double hanging = std::max(1.0, hanging_weight(model, plane, model.sections.front(), highest_bed(plane)));
+  const double hanging = std::max(1.0, hanging_weight(model, plane, model.pipe_section(), highest_bed(plane)));
   const auto reach = [&](double tension) { return shape_distance(lay_shape(model, plane, tension), *d.pipe.length); };
   return tension_that_reaches(reach, 1.001 * hanging, 50.0 * hanging, wanted_of(d).value);
 }
@@ -168,7 +168,7 @@ std::optional<StaticFailure> pulled_beyond_yield(const Model& model) {
 
 /// What no shape is needed for to be seen.
 std::optional<StaticFailure> impossible(const Model& model, const LayPlane& plane) {
-  const Section& pipe = model.sections.front();
+  const Section& pipe = model.pipe_section();
   if (pipe.weight_submerged <= 0.0) return floats(pipe);
   const SeabedDescription& bed = model.description.environment.seabed;
   if (bed.soil == SoilModel::hyperbolic && pipe.weight_submerged >= bed.bearing_force.value_or(0.0)) {

@@ -29,12 +29,12 @@ constexpr double kHigherTension = 3.0;  ///< Times the wanted tension, at which 
 
 /// Roller stiffness that lets a pipe sink by decimetres: weight and curvature load of ten metres of pipe over 0.3 m.
 double soft_roller(const StaticCase& at, double tension) {
-  return 40.0 * std::max(at.model.sections.front().weight_in_air, tension / 150.0);
+  return 40.0 * std::max(at.model.pipe_section().weight_in_air, tension / 150.0);
 }
 
 /// Stiffness of a bed in which the pipe sinks by half its diameter [N/m2].
 double soft_bed(const StaticCase& at) {
-  const Section& pipe = at.model.sections.front();
+  const Section& pipe = at.model.pipe_section();
   return pipe.weight_submerged / (0.5 * pipe.outer_diameter);
 }
 
@@ -77,7 +77,7 @@ NewtonSettings loosely(const StaticCase& at) {
 
 /// So that no roller is struck hard.
 NewtonSettings gently(NewtonSettings settings, const StaticCase& at) {
-  settings.entering = 0.25 * at.model.sections.front().outer_diameter;
+  settings.entering = 0.25 * at.model.pipe_section().outer_diameter;
   return settings;
 }
 

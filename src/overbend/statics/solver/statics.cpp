@@ -95,7 +95,7 @@ bool solve_from(StaticCase& at, const StaticSolution& start, const LayPlane& pla
 
 /// Whether every edge of contact on a shaped bed lies well inside the short elements made for one.
 bool edges_serve(const StaticCase& at, const MeshZones& built, const MeshZones& now) {
-  const double reach = 0.5 * soil_length(at.model, at.model.sections.front().EI);
+  const double reach = 0.5 * soil_length(at.model, at.model.pipe_section().EI);
   return std::ranges::all_of(now.bed_edges, [&](const LineStretch& edge) {
     return std::ranges::any_of(built.bed_edges, [&](const LineStretch& zone) {
       return edge.from > zone.from - reach && edge.to < zone.to + reach;
@@ -302,7 +302,7 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
     solved = solve_on_new_mesh(at, from.shape);
   }
   if (!solved) {
-    return give_up(at, hanging_weight(model, plane, model.sections.front(), plane.bed(0.0)));
+    return give_up(at, hanging_weight(model, plane, model.pipe_section(), plane.bed(0.0)));
   }
   if (auto failure = check_supports(model, at.system)) {
     return fail(*failure);

@@ -16,7 +16,7 @@ using Point = Eigen::Vector2d;  ///< Astern and up, frame S.
 /// Underside of the pipe at the tensioner and at the boxes.
 std::vector<Point> support_points(const Model& model) {
   const TensionerDescription& tensioner = model.description.tensioner;
-  std::vector<Point> points = {{tensioner.x, tensioner.z - 0.5 * model.sections.front().outer_diameter}};
+  std::vector<Point> points = {{tensioner.x, tensioner.z - 0.5 * model.pipe_section().outer_diameter}};
   for (const SupportBox& box : model.supports.boxes) points.emplace_back(box.point_S.x(), box.point_S.z());
   return points;
 }

@@ -65,7 +65,7 @@ void set_depth(EnvironmentDescription& environment, double depth) {
 /// Among which the least that passes is sought: below the first no pipe stands on a bed as deep, beyond the last its
 /// steel yields without any bending.
 std::pair<double, double> tensions_of(const Model& model) {
-  const Section& pipe = model.sections.front();
+  const Section& pipe = model.pipe_section();
   const double yields = pipe.yield_stress * pipe.steel_area;
   const double hangs = pipe.weight_submerged * model.description.environment.water_depth;
   return {std::clamp(kLeastShare * hangs, kLeastOfYield * yields, 0.5 * yields), yields};
