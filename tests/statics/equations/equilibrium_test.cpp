@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "modelfile/reading/yaml_reader.h"
+#include "statics/moored/vessel_load.h"
 #include "statics/solver/newton.h"
 #include "statics/solver/rest_together.h"
 #include "statics/solver/static_start.h"
@@ -121,6 +122,98 @@ TEST(equilibrium, lines_rest_in_one_system_where_each_rests_by_itself) {
       EXPECT_LT((place - alone.place(line, node)).norm(), 1e-5) << line << ' ' << node;  // both tolerances, softly held
     }
   }
+}
+
+/// The system of a lay with the lines of another beside its pipe.
+System joined(const System& lay, const System& lines) {
+  System both = lay;
+  both.lines.insert(both.lines.end(), lines.lines.begin(), lines.lines.end());
+  for (Attachment end : lines.attachments) {
+    ++end.line;
+    both.attachments.push_back(end);
+  }
+  return both;
+}
+
+// They share no unknowns but one Newton: each comes to where it is by itself.
+TEST(equilibrium, a_lay_and_cables_beside_it_rest_in_one_system_where_each_rests_by_itself) {
+  Guess guess("J12-D400-T560.yaml");
+  const testing::RestingLines cables(two_cables());
+  const System both = joined(guess.system.equilibrium().assembly().system(), cables.setup.system);
+  Assembly assembly(both);
+  assembly.set_surroundings(0.0);
+  FarEnd far_end(guess.model, guess.system.plane().route, guess.system.mesh().total_length());
+  Equilibrium together(assembly, {guess.model.description.statics.history});
+  together.slide(far_end, 0, guess.system.plane());
+  SystemState state = guess.state;
+  for (const LineState& line : start_of(cables.setup, 0.0).lines) state.lines.push_back(line);
+  NewtonSettings settings;
+  settings.target = guess.from.target;
+  settings.max_iterations = 2000;
+  ASSERT_TRUE(solve_equilibrium(guess.system.equilibrium(), guess.state, settings).converged());
+  settings.tolerance = 1e-10;
+  ASSERT_TRUE(solve_equilibrium(together, state, settings).converged());
+  EXPECT_NEAR(state.lines[0].far_force, guess.state.lines[0].far_force, 1e-7 * guess.state.lines[0].far_force);
+  const std::array<double, 6>& end = assembly.line(2).end_force(LineEnd::last);
+  EXPECT_LT((Vec3(end[0], end[1], end[2]) - cables.last[1]).norm(), 1e-5 * cables.last[1].norm());
+}
+
+/// The system of a lay whose vessel floats on springs.
+System afloat(StaticSystem& lay, const testing::SpringBody& springs) {
+  System system = lay.equilibrium().assembly().system();
+  system.bodies.front().free = testing::free_body(springs);
+  const LayPlane& plane = lay.plane();
+  const Mat3 to_V = lay.pose().R_WV.transpose();
+  testing::hold_on_body(system.attachments.back(), to_V * (plane.tensioner_W - lay.pose().p_WV),
+                        to_V * *lay.held_direction());
+  return system;
+}
+
+SystemState afloat(const System& system, const StaticSolution& start, const Vec6& drawn) {
+  SystemState state = state_at_rest(system, {start.state.q}, 0.0);
+  state.lines.front().low = start.state.low;
+  state.lines.front().far_force = start.state.far_force;
+  state.bodies.front().h = drawn;
+  return state;
+}
+
+testing::SpringBody sea_springs(const VesselPose& pose) {
+  testing::SpringBody springs;
+  springs.body.mass = 5e6;  // what unbalanced forces are measured against
+  springs.drawn = coordinates_of(pose.p_WV, pose.R_WV);
+  springs.stiffness << 4e5, 4e5, 2e7, 1e10, 2e10, 2e10;
+  return springs;
+}
+
+// Second opinions: the lay alone on the vessel where it has come to, and what the pipe does to the vessel there.
+TEST(equilibrium, a_lay_and_its_floating_vessel_rest_in_one_system) {
+  Model model =
+      build_model(read_model(OVERBEND_SOURCE_DIR "/validation/static_cases/S16-T300.yaml").description.value());
+  const StaticSolution held = solve_statics(model).solution.value();
+  StaticSystem lay(model, model.mean_pose, held.mesh);
+  const testing::SpringBody springs = sea_springs(model.mean_pose);
+  const System system = afloat(lay, springs);
+  Assembly assembly(system);
+  FarEnd far_end(model, lay.plane().route, lay.mesh().total_length());
+  Equilibrium together(assembly, {model.description.statics.history});
+  together.slide(far_end, 0, lay.plane());
+  SystemState state = afloat(system, held, springs.drawn);
+  NewtonSettings settings;
+  settings.target = EquilibriumTarget{EquilibriumTarget::Kind::top_tension, 300e3};
+  ASSERT_TRUE(solve_equilibrium(together, state, settings).converged());
+  const Vec6 moved = state.bodies.front().h - springs.drawn;
+  EXPECT_GT(moved.head<3>().norm(), 0.1);
+  const BodyPose pose = pose_of(state.bodies.front().h);
+  model.mean_pose = {pose.place, pose.R};
+  StaticSystem there(model, model.mean_pose, held.mesh);
+  const LineState& pipe = state.lines.front();
+  const Vec6 load = load_on_vessel(there, pipe);
+  there.hold(false);
+  EXPECT_LT(there.relative_residual(), 1e-8);
+  EXPECT_NEAR(there.target_error(pipe, *settings.target), 0.0, 1.0);  // [N]
+  const Vec6 pulled = springs.stiffness.cwiseProduct(moved);
+  EXPECT_LT((pulled.head<3>() - load.head<3>()).norm(), 1e-6 * load.head<3>().norm());
+  EXPECT_LT((pulled.tail<3>() - pose.E.transpose() * load.tail<3>()).norm(), 1e-6 * load.tail<3>().norm());
 }
 
 // The same cable in a system whose model has the smaller stiffness.

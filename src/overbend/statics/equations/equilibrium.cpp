@@ -9,8 +9,6 @@
 namespace overbend {
 namespace {
 
-constexpr std::size_t kFarAttachment = 0;
-
 double product(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -54,12 +52,15 @@ Equilibrium::Equilibrium(Assembly& assembly, const RestRule& rule, int only)
       rule_(rule),
       only_(only),
       first_(only < 0 ? 0 : static_cast<std::size_t>(only)),
-      last_(only < 0 ? assembly.system().lines.size() : first_ + 1) {}
+      last_(only < 0 ? assembly.system().lines.size() : first_ + 1),
+      line_(first_) {}
 
-void Equilibrium::slide(FarEnd& end, const LayPlane& plane) {
+void Equilibrium::slide(FarEnd& end, std::size_t attachment, const LayPlane& plane) {
   far_end_ = &end;
+  far_attachment_ = attachment;
   plane_ = &plane;
-  assembly_->hold_end(kFarAttachment, end.held());
+  line_ = static_cast<std::size_t>(assembly_->system().far_forces.front());
+  assembly_->hold_end(attachment, end.held());
 }
 
 /// Rates of the step in which friction is mobilised.
@@ -92,8 +93,8 @@ void Equilibrium::evaluate(SystemState& state, bool with_tangent) {
     assembly_->impose_ends(state);
   }
   if (far_end_ != nullptr) {
-    far_end_->follow(state.lines[first_], assembly_->line(first_));
-    assembly_->hold_end(kFarAttachment, far_end_->held());
+    far_end_->follow(state.lines[line_], assembly_->line(line_));
+    assembly_->hold_end(far_attachment_, far_end_->held());
   }
   evaluate_forces(state, with_tangent);
 }
@@ -106,7 +107,7 @@ void Equilibrium::evaluate_forces(SystemState& state, bool with_tangent) {
   } else {
     assembly_->evaluate_at_rest(state, rule_.history, with_tangent);
   }
-  if (far_end_ != nullptr) far_end_->add_force(state.lines[first_], with_tangent, assembly_->line(first_));
+  if (far_end_ != nullptr) far_end_->add_force(state.lines[line_], with_tangent, assembly_->line(line_));
 }
 
 void Equilibrium::hold(bool with_tangent) {
@@ -123,7 +124,7 @@ double Equilibrium::relative_residual() {
 }
 
 TargetEquation Equilibrium::target_equation(const EquilibriumTarget& target, const SystemState& state) const {
-  return overbend::target_equation(target, *plane_, line().line(), state.lines[first_]);
+  return overbend::target_equation(target, *plane_, line().line(), state.lines[line_]);
 }
 
 void Equilibrium::put_target(const EquilibriumTarget& target, const SystemState& state) {
@@ -203,7 +204,7 @@ double Equilibrium::work(const Increments& dq, double more_far_force) const {
   for (std::size_t i = first_; i < last_; ++i) sum += product(assembly_->line(i).residual(), dq[i]);
   if (far_end_ != nullptr) {
     for (int i = 0; i < 3; ++i) {
-      sum -= more_far_force * far_end_->direction()(i) * dq[first_][static_cast<std::size_t>(i)];
+      sum -= more_far_force * far_end_->direction()(i) * dq[line_][static_cast<std::size_t>(i)];
     }
   }
   return only_ == kAllLines && assembly_->free_bodies() > 0 ? sum + product(assembly_->body_residual(), dq.back())

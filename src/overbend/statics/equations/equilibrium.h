@@ -35,14 +35,16 @@ class Equilibrium {
   /// `assembly` and the state of the rule must outlive this.
   Equilibrium(Assembly& assembly, const RestRule& rule, int only = kAllLines);
 
-  /// The first line's far end, laid in `plane`, slides under the system's far force. Both must outlive this.
-  void slide(FarEnd& end, const LayPlane& plane);
+  /// The line of the system's far force, laid in `plane`, slides there as `end` says, which is at `attachment`. Both
+  /// must outlive this.
+  void slide(FarEnd& end, std::size_t attachment, const LayPlane& plane);
 
   Assembly& assembly() { return *assembly_; }
   const Assembly& assembly() const { return *assembly_; }
   Increments increments() const { return assembly_->increments(); }
   /// The line that slides, or that is solved alone; else the first.
-  const LineAssembly& line() const { return assembly_->line(first_); }
+  const LineAssembly& line() const { return assembly_->line(line_); }
+  double& far_force(SystemState& state) const { return state.lines[line_].far_force; }
 
   /// Internal minus external forces; with `with_tangent` also the blocks. Held directions are left in: see hold().
   void evaluate(SystemState& state, bool with_tangent);
@@ -81,7 +83,9 @@ class Equilibrium {
   RestRule rule_;
   int only_;
   std::size_t first_, last_;  ///< Lines that are solved for, the last excluded.
+  std::size_t line_;          ///< See line().
   FarEnd* far_end_ = nullptr;
+  std::size_t far_attachment_ = 0;
   const LayPlane* plane_ = nullptr;
   int target_node_ = -1;
   std::vector<Vec3> directions_;  ///< Of guides where the last increments were found.

@@ -13,6 +13,8 @@
 namespace overbend {
 namespace {
 
+constexpr std::size_t kFar = 0, kTop = 1;  ///< Attachments.
+
 std::optional<Vec3> guide_direction(const Model& model, const VesselPose& pose) {
   if (model.description.tensioner.guide != Guide::clamped) return std::nullopt;
   const double incline = model.description.tensioner.incline;
@@ -39,7 +41,7 @@ System lay_system(const Model& model, const VesselPose& pose, const std::optiona
   system.far_forces = {0};
   system.surroundings = [vessel = resting(pose), guide](double, Surroundings& now) {
     now.bodies[kVessel] = vessel;
-    if (guide) now.ends.back().direction = *guide;
+    if (guide) now.ends[kTop].direction = *guide;
   };
   return system;
 }
@@ -53,7 +55,7 @@ StaticSystem::Parts::Parts(const Model& model, const VesselPose& pose, const std
       far_end(model, plane.route, system.lines.front().mesh.total_length()),
       equilibrium(assembly, {model.description.statics.history}) {
   assembly.set_surroundings(0.0);
-  equilibrium.slide(far_end, plane);
+  equilibrium.slide(far_end, kFar, plane);
   whole.lines.resize(1);
 }
 

@@ -24,6 +24,7 @@ NewtonReport come_to_rest(Equilibrium& resting, SystemState& state, const LineRe
   NewtonSettings newton;
   newton.tolerance = std::max(settings.tolerance, rounding);
   newton.max_iterations = settings.max_iterations;
+  newton.singular_damping = 1.0;  // as light as a cable that resists nothing across
   return solve_equilibrium(resting, state, newton);
 }
 

@@ -70,7 +70,7 @@ class NewtonSearch {
 
   bool is_slack() const {
     return settings_.target && report_.residual < kBalanced &&
-           far_force(state_) < kLeastFarForce * equations_.line().line().force_scale;
+           equations_.far_force(state_) < kLeastFarForce * equations_.line().line().force_scale;
   }
 
   bool end(NewtonEnd how) {
@@ -102,7 +102,7 @@ class NewtonSearch {
     const bool solved = equations_.solve(damping_, free, dq_);
     looked_ = has_tangent_ = false;
     if (!solved) {
-      if (damped() && damping_ <= kMostDamping) return raise_damping(1e2);
+      if (damped() && damping_ <= kMostDamping) return raise_damping(settings_.singular_damping);
       report_.end = NewtonEnd::singular;
       report_.singular_node = equations_.singular_node();
       return false;
@@ -121,34 +121,30 @@ class NewtonSearch {
     }
     const double limit = std::min(equations_.step_limit(dq_, settings_.body_step),
                                   equations_.share_before_entering(dq_, settings_.entering));
-    const double force_step = take_force_step(limit);
+    const double force_step = far_force_step(limit);
     const double work_start = equations_.work(dq_, force_step);
     if (work_start >= 0.0 && damping_ < kMostDamping) {
       return raise_damping(1.0);  // past a limit point: damped steps lead downhill to where the pipe snaps
     }
-    search_least_work(work_start, limit);
+    search_least_work(work_start, limit, force_step);
     if (mixes) mixing_.took(dq_.front(), share_, force_step);
     return true;
   }
 
-  double& far_force(SystemState& of) const { return of.lines.front().far_force; }
-  double far_force(const SystemState& of) const { return of.lines.front().far_force; }
-
-  /// The far force of the next state takes its whole step, within bounds; returns the step.
-  double take_force_step(double limit) {
+  /// Step of the far force, within bounds.
+  double far_force_step(double limit) {
     if (!settings_.target) return 0.0;
-    const double most = kLargestForceStep * far_force(state_);
-    const double step = std::clamp(limit * dq_.back().back(), -most, most);
-    far_force(trial_) = far_force(state_) + step;
-    return step;
+    const double most = kLargestForceStep * equations_.far_force(state_);
+    return std::clamp(limit * dq_.back().back(), -most, most);
   }
 
   /// Most steps end at the first look, which takes the tangent along.
-  void search_least_work(double work_start, double limit) {
+  void search_least_work(double work_start, double limit, double force_step) {
     bool with_tangent = goes_well_ && !descent_.ends_next();
     const auto work_at = [&](double share) {
       ++report_.trials;
       equations_.advance(trial_, state_, dq_, share);
+      equations_.far_force(trial_) = equations_.far_force(state_) + force_step;
       look(trial_, std::exchange(with_tangent, false));
       return equations_.work(dq_);
     };
@@ -162,6 +158,7 @@ class NewtonSearch {
     std::swap(state_, trial_);
   }
 
+  /// The far force stays.
   void step_bounded(double limit) {
     const auto grows = [&](double share) {
       equations_.advance(trial_, state_, dq_, share);

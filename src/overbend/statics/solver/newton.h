@@ -20,7 +20,8 @@ struct NewtonSettings {
   double entering = 1e30;  ///< No step drives a line deeper than this into a roller beyond where it is [m].
   bool remembers = false;  ///< The tangent is not exact: steel remembers what happened upstream.
   StepSearch search = StepSearch::least_work;
-  double max_growth = 2.0;  ///< Of the residual in a step, under `bounded_residual`.
+  double singular_damping = 1e2;  ///< At least so much where the tangent is singular [N/m2].
+  double max_growth = 2.0;        ///< Of the residual in a step, under `bounded_residual`.
   BodyStep body_step;
 };
 
