@@ -33,7 +33,7 @@ Assumptions merge(Assumptions all, const Assumptions& more);
 std::vector<std::string> texts(const Assumptions& assumptions);
 std::vector<std::string> texts(const Assumptions& assumptions, AssumptionRank rank);
 
-/// The names of their ranks, one by one; stored beside the sentences under this name.
+/// The names of their ranks, one by one; stored next to the sentences under this name.
 inline constexpr const char* kAssumptionRanks = "assumption_ranks";
 std::vector<std::string> rank_names(const Assumptions& assumptions);
 

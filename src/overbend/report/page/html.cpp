@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include "base/shown_unit.h"
 
 namespace overbend::html {
 
@@ -47,11 +47,7 @@ std::string escape_json(std::string_view json) {
 }
 
 std::string fixed(double value, int digits) {
-  if (!std::isfinite(value)) {
-    return "-";
-  }
-  const bool rounds_to_zero = std::abs(value) < 0.5 * std::pow(10.0, -digits);
-  return fmt::format("{:.{}f}", rounds_to_zero ? 0.0 : value, digits);
+  return shown_number(value, ShownUnit{}, digits);
 }
 
 std::string section(const std::string& id, const std::string& heading, const std::string& body) {
