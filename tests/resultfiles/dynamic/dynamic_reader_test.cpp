@@ -57,8 +57,8 @@ TEST(dynamic_field_lists, hold_every_single_value) {
   // supports, hardest_impacts, histories, spectra, extremes
   EXPECT_EQ(keys.bytes + energy.bytes + tensioner.bytes + run.bytes + stations.bytes + 3 * sizeof(DynamicRegion) +
                 sizeof(results.smallest_tension) + 5 * kListBytes + sizeof(results.design) + sizeof(results.checks) +
-                sizeof(results.vessel) + sizeof(results.thrust) + sizeof(results.moorings) + sizeof(results.stinger) +
-                sizeof(results.fatigue),
+                sizeof(results.vessel) + sizeof(results.thrust) + sizeof(results.moorings) + sizeof(results.lines) +
+                sizeof(results.stinger) + sizeof(results.fatigue),
             sizeof(DynamicResults));
 }
 

@@ -76,7 +76,8 @@ TEST(field_lists, hold_every_single_value) {
                 sizeof(results.tower) + sizeof(results.smallest_tension) + sizeof(results.sagbend) + kListBytes +
                 kListBytes + kListBytes + kListBytes + sizeof(results.checks) + sizeof(results.moorings) +
                 sizeof(results.hull) + sizeof(results.head) + sizeof(results.cable) + sizeof(results.far_anchor) +
-                sizeof(results.stinger) + sizeof(results.bed) + sizeof(results.route) + sizeof(results.roller_friction),
+                sizeof(results.stinger) + sizeof(results.bed) + sizeof(results.route) +
+                sizeof(results.roller_friction) + sizeof(results.lines),
             sizeof(StaticResults));
   EXPECT_EQ(touchdown.bytes, sizeof(Touchdown));
   EXPECT_EQ(solve.bytes, sizeof(SolveReport));
