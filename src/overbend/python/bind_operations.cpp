@@ -13,6 +13,7 @@
 #include "resultfiles/stages/operation_reader.h"
 #include "resultfiles/stages/operation_writer.h"
 #include "resultfiles/static/case_summary.h"
+#include "resultfiles/summary/result_objects.h"
 #include "resultfiles/summary/summary_json.h"
 #include "study/stages/lay_operation.h"
 
@@ -108,7 +109,9 @@ void add_operations(py::module_& module) {
       .def_static("stored", &stored_operation, py::arg("h5"), "From results.h5.")
       .def_property_readonly("model", [](const GivenOperation& operation) { return operation->model; })
       .def("summary",
-           [](const GivenOperation& operation) { return to_python(operation_summary_json(operation->results)); })
+           [](const GivenOperation& operation) {
+             return to_python(with_objects(operation_summary_json(operation->results)));
+           })
       .def("tree", &tree_of_operation)
       .def("stage", &stage_of, py::arg("number"), "Statics of a stage, from 0; None where it has no equilibrium.")
       .def("save", &save_operation, py::arg("folder"));

@@ -2,6 +2,7 @@
 
 #include "python/python_errors.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/summary/result_objects.h"
 #include "resultfiles/summary/summary_json.h"
 #include "study/run/lay_beside.h"
 #include "study/run/static_run.h"
@@ -79,7 +80,8 @@ const StaticRun& StaticsHandle::whole() const {
 Json StaticsHandle::summary(bool all) const {
   if (all) whole();
   const std::lock_guard<std::mutex> hold(mutex_);
-  return static_summary_json(*statics_.results);
+  Json summary = static_summary_json(*statics_.results);
+  return all ? with_objects(std::move(summary)) : summary;
 }
 
 std::shared_ptr<ResultTree> StaticsHandle::tree() const {

@@ -45,6 +45,16 @@ TEST(seek_keys, fill_bounds_and_conditions_in_si) {
   EXPECT_EQ(seek.until[0].value, 100e6);
 }
 
+TEST(seek_keys, take_results_by_object) {
+  const SeekDescription seek = seek_of(
+      "  vary: {key: tensioner.tension, from: 150 kN, to: 600 kN}\n"
+      "  until: {result: 'lines[pipe].static.sagbend.max_bending_stress', at_most: 100 MPa}\n"
+      "  minimise: 'spread(supports[*].static.reaction)'\n");
+  ASSERT_EQ(seek.until.size(), 1U);
+  EXPECT_EQ(seek.until[0].value, 100e6);
+  EXPECT_EQ(seek.minimise, "spread(supports[*].static.reaction)");
+}
+
 TEST(seek_keys, do_not_take_the_radius_of_listed_boxes) {
   const std::string line = complaint(
       "  vary: {key: supports.stinger.radius, from: 100 m, to: 200 m}\n"
@@ -81,16 +91,15 @@ TEST(seek_keys, a_key_has_to_be_a_number_of_the_model) {
                {"seek.vary.key", "nobody", "an item that the list has"});
 }
 
-TEST(seek_keys, of_lines_by_themselves_nothing_is_sought) {
+TEST(seek_keys, may_be_those_of_lines_by_themselves) {
   const std::string lines = testing::file_text(OVERBEND_SOURCE_DIR "/examples/jumper.yaml");
-  const ModelReading reading =
-      read_model_text(lines +
-                          "\nseek:\n  vary: {key: 'lines[0].segments[0].length', from: 165 m, to: 180 m}\n"
-                          "  until: {result: 'static.lines[0].first.tension', equals: 25 kN}\n",
-                      OVERBEND_SOURCE_DIR "/examples/sought.yaml");
-  ASSERT_EQ(reading.diagnostics.lines(Severity::error).size(), 1U);
-  expect_words(reading.diagnostics.lines(Severity::error).front(),
-               {"seek.until.result", "can be solved and run in time"});
+  for (const char* result : {"static.lines[0].first.tension", "lines[jumper].static.first.tension"}) {
+    const ModelReading reading = read_model_text(
+        lines + "\nseek:\n  vary: {key: 'lines[0].segments[0].length', from: 165 m, to: 180 m}\n  until: {result: '" +
+            result + "', equals: 25 kN}\n",
+        OVERBEND_SOURCE_DIR "/examples/sought.yaml");
+    EXPECT_TRUE(reading.diagnostics.lines(Severity::error).empty()) << result;
+  }
 }
 
 /// Nothing that a goal seek looks at hangs on them.
@@ -118,6 +127,10 @@ TEST(seek_keys, a_result_has_to_be_one_and_its_value_of_its_dimension) {
   const std::string vary = "  vary: {key: tensioner.tension, from: 150 kN, to: 600 kN}\n";
   expect_words(complaint(vary + "  until: {result: static.sagbend.max_bending_stres, equals: 100 MPa}\n"),
                {"seek.until.result", "did you mean 'static.sagbend.max_bending_stress'?"});
+  expect_words(complaint(vary + "  until: {result: 'lines[pipe].static.sagbend.max_bending_stres', equals: 1 MPa}\n"),
+               {"seek.until.result", "did you mean 'lines[pipe].static.sagbend.max_bending_stress'?"});
+  expect_words(complaint(vary + "  until: {result: 'stages[2].lines[pipe].static.lay_back', equals: 1 m}\n"),
+               {"seek.until.result", "not at the stages"});
   expect_words(complaint(vary + "  until: {result: static.lay_back, equals: 100 MPa}\n"),
                {"seek.until.equals", "a force per area", "a length"});
   expect_words(complaint(vary + "  until: {result: static.lay_back}\n"), {"one of equals, at_most or at_least"});

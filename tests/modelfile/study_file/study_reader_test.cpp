@@ -139,6 +139,12 @@ TEST(study_reader, results_are_those_of_the_analysis) {
   const std::string dynamic = "analysis: dynamic\ngather: [dynamic.top_tension.max, dynamic.overbend.max_von_mises]\n";
   EXPECT_EQ(study_of(axis + dynamic).gather.size(), 2U);
   EXPECT_TRUE(has(error_of(axis + "gather: [static.top_tensoin]\n"), "did you mean 'static.top_tension'?"));
+  EXPECT_EQ(
+      study_of(axis + "gather: ['lines[pipe].static.top_tension', 'max(supports[*].static.reaction)']\n").gather.size(),
+      2U);
+  EXPECT_TRUE(has(error_of(axis + "gather: ['lines[pipe].static.top_tensoin']\n"),
+                  "did you mean 'lines[pipe].static.top_tension'?"));
+  EXPECT_TRUE(has(error_of(axis + "gather: ['lines[pipe].dynamic.top_tension.max']\n"), "static analysis"));
   EXPECT_TRUE(has(error_of(axis + "gather: [dynamic.top_tension.max]\n"), "static analysis"));
 }
 

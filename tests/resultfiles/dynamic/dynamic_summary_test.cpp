@@ -4,6 +4,7 @@
 
 #include "base/json.h"
 #include "resultfiles/dynamic/dynamic_writer.h"
+#include "resultfiles/static/case_summary.h"
 #include "resultfiles/static/results_writer.h"
 #include "resultfiles/summary/summary_json.h"
 #include "support/dynamic_case.h"
@@ -86,9 +87,9 @@ TEST(dynamic_summary, leaves_null_what_has_no_sense_in_j_lay) {
 
 TEST(dynamic_summary, keeps_what_statics_writes) {
   const StaticResults& statics = solved_case("BGL1-T250").results;
-  Json summary = read_json(dynamic_summary(statics, filled_dynamics(statics)));
+  Json summary = dynamic_summary_json(statics, filled_dynamics(statics));
   summary.erase("dynamic");
-  EXPECT_EQ(summary, read_json(static_summary(statics)));
+  EXPECT_EQ(summary, static_summary_json(statics));
 }
 
 TEST(dynamic_summary, keeps_rollers_in_their_rows_and_takes_the_largest_of_a_support) {

@@ -91,6 +91,16 @@ TEST(seek, a_limit_is_kept_by_the_least_value_of_the_key) {
   EXPECT_TRUE(most.unknowns[0].at_bound);
 }
 
+TEST(seek, finds_the_same_by_a_name_by_object) {
+  const std::string vary = "  vary: {key: tensioner.tension, from: 450 kN, to: 1100 kN}\n";
+  const SeekResults by_kind = results_of(vary + "  until: {result: static.bottom_tension, equals: 300 kN}\n");
+  const SeekResults by_object =
+      results_of(vary + "  until: {result: 'lines[pipe].static.bottom_tension', equals: 300 kN}\n");
+  ASSERT_TRUE(by_kind.found && by_object.found);
+  EXPECT_EQ(by_object.unknowns[0].answer, by_kind.unknowns[0].answer);
+  EXPECT_EQ(by_object.goals[0].result, "lines[pipe].static.bottom_tension");
+}
+
 TEST(seek, says_what_is_reached_where_there_is_no_answer) {
   const SeekResults none = results_of(
       "  vary: {key: tensioner.tension, from: 450 kN, to: 600 kN}\n"

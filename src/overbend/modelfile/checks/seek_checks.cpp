@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kNoStages = "a goal seek looks at the lay as such, not at the stages of its operation";
 
 bool of_operation(const std::string& path) {
-  return path.starts_with("operation.");
+  return path.starts_with("operation.") || path.starts_with("stages[");
 }
 
 /// Members of a group that is given once or as a list.

@@ -72,8 +72,8 @@ std::vector<Field> condition_rows(const std::string& p) {
   return {
       required(text_row(p + ".result", takes_result(),
                         "Result by its path in summary.json, such as static.sagbend.max_bending_stress or "
-                        "static.supports[stinger 7].reaction; min(), max(), mean() and spread() of a path with a "
-                        "pattern.")),
+                        "static.supports[stinger 7].reaction, or by object, such as lines[pipe].static.lay_back; "
+                        "min(), max(), mean() and spread() of a path with a pattern.")),
       goal(SeekRelation::equals, "Value that the result is to have, with its unit."),
       goal(SeekRelation::at_most, "Upper limit of the result. A single key gets the least value that holds it."),
       goal(SeekRelation::at_least, "Lower limit of the result. A single key gets the least value that holds it."),

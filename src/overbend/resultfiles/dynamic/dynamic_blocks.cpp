@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "resultfiles/dynamic/dynamic_writer.h"
+#include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/tables/finite_visitor.h"
 #include "results/fields/dynamic_tables.h"
 
@@ -187,25 +187,6 @@ void write_snapshots(Hdf5Writer& file, const RunStore& store) {
 }
 
 }  // namespace
-
-std::string dataset_path(const std::string& name) {
-  std::string path;
-  for (std::size_t begin = 0; begin <= name.size();) {
-    const std::size_t end = std::min(name.find('/', begin), name.size());
-    const std::string part = name.substr(begin, end - begin);
-    if (begin > 0) path += '/';
-    path += (part.empty() || part == ".") ? "_" : part;
-    begin = end + 1;
-  }
-  return path;
-}
-
-void make_groups_above(Hdf5Writer& file, const std::string& path, const std::string& description) {
-  for (std::size_t end = path.find('/', 1); end != std::string::npos; end = path.find('/', end + 1)) {
-    const std::string group = path.substr(0, end);
-    if (!file.has(group)) file.group(group, description);
-  }
-}
 
 void write_long_data(Hdf5Writer& file, const RunStore& store) {
   write_histories(file, store);

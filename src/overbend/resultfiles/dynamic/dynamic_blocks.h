@@ -6,9 +6,6 @@
 
 namespace overbend {
 
-/// Makes those groups above the dataset or group `path` that are not there yet.
-void make_groups_above(Hdf5Writer& file, const std::string& path, const std::string& description);
-
 /// /dynamic/histories, /dynamic/impacts and /dynamic/snapshots, from the store in blocks; /dynamic/stations must
 /// stand. Throws std::runtime_error when a number is none.
 void write_long_data(Hdf5Writer& file, const RunStore& store);

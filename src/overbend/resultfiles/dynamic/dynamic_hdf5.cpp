@@ -2,7 +2,9 @@
 #include "resultfiles/dynamic/dynamic_writer.h"
 #include "resultfiles/dynamic/fatigue_files.h"
 #include "resultfiles/hdf5/check_hdf5.h"
+#include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/hdf5/object_links.h"
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/moored_dynamics_hdf5.h"
 #include "results/fields/dynamic_values.h"
@@ -178,6 +180,7 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
   write_spectra(file, dynamics.spectra);
   write_long_data(file, store);
   link_line_histories(file, dynamics.lines);
+  link_objects(file, statics);
   file.close();
 }
 

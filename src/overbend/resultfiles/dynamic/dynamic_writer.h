@@ -40,8 +40,4 @@ std::string impacts_table(const DynamicResults& dynamics);
 void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dynamics, const RunStore& store,
                         const Description& description, const std::filesystem::path& file);
 
-/// Where the history or spectrum `name` stands below its group: its parts between '/' are groups; a part that HDF5
-/// would take for something else (empty, ".") becomes "_".
-std::string dataset_path(const std::string& name);
-
 }  // namespace overbend

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "resultfiles/dynamic/dynamic_writer.h"
+#include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
 
 namespace overbend {

@@ -1,5 +1,6 @@
 #include "resultfiles/lines/lines_files.h"
 
+#include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
 #include "resultfiles/summary/json_fields.h"

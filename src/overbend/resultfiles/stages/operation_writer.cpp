@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "model/description/operation_words.h"
+#include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/hdf5/hdf5_file.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/hdf5/object_links.h"
 #include "resultfiles/stages/stage_table.h"
 #include "resultfiles/static/finite_check.h"
 #include "resultfiles/tables/finite_visitor.h"
@@ -24,6 +26,10 @@ void require_finite_stages(const OperationResults& results) {
     if (stage.failure) visit_stage_failure(*stage.failure, visit);
     if (stage.lay) require_finite(*stage.lay);
   }
+}
+
+std::string stage_group(std::size_t index) {
+  return fmt::format("/operation/stage_{:03}", index + 1);
 }
 
 void write_stage(DatasetSink& file, const std::string& group, const StageResult& stage) {
@@ -48,7 +54,7 @@ void write_operation_groups(DatasetSink& file, const OperationResults& results) 
   visit(ResultField{"type", "1", "Type of the operation"}, std::string(operation_word(results.type)));
   visit(ResultField{"wall_time", "s", "Time inside the solver, all stages"}, results.wall_time);
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
-    write_stage(file, fmt::format("/operation/stage_{:03}", i + 1), results.stages[i]);
+    write_stage(file, stage_group(i), results.stages[i]);
   }
 }
 
@@ -57,6 +63,10 @@ void write_operation_hdf5(const OperationResults& results, const Description& de
   Hdf5Writer file(path);
   write_results_heading(file, results.title, description);
   write_operation_groups(file, results);
+  for (std::size_t i = 0; i < results.stages.size(); ++i) {
+    const StageResult& stage = results.stages[i];
+    if (stage.lay) link_objects(file, *stage.lay, stage_group(i), "/stages/" + dataset_path(stage.stage.name));
+  }
   file.close();
 }
 

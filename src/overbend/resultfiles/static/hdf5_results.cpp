@@ -1,6 +1,7 @@
 #include "resultfiles/hdf5/check_hdf5.h"
 #include "resultfiles/hdf5/hdf5_file.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/hdf5/object_links.h"
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/mooring_hdf5.h"
 #include "resultfiles/static/results_writer.h"
@@ -232,6 +233,7 @@ void write_static_hdf5(const StaticResults& results, const Description& descript
   Hdf5Writer file(path);
   write_static_groups(file, results, description);
   if (sensitivities != nullptr) write_sensitivities(file, *sensitivities);
+  link_objects(file, results);
   file.close();
 }
 

@@ -9,6 +9,7 @@
 #include "base/name_parts.h"
 #include "resultfiles/summary/named_dynamics.h"
 #include "resultfiles/summary/result_units.h"
+#include "results/fields/object_names.h"
 
 namespace overbend {
 namespace {
@@ -94,15 +95,20 @@ void list_paths(const Json& at, const std::string& path, std::vector<std::string
 }
 
 std::optional<std::string> unit_of(const Json& units, const std::string& name) {
-  const auto parts = name_parts(parsed_result_name(name).path);
-  const Json* unit = parts ? unit_at(units, *parts) : nullptr;
-  if (unit == nullptr) return std::nullopt;
-  return unit->get<std::string>();
+  for (const std::string& path : summary_paths(parsed_result_name(name).path)) {
+    const auto parts = name_parts(path);
+    if (const Json* unit = parts ? unit_at(units, *parts) : nullptr) return unit->get<std::string>();
+  }
+  return std::nullopt;
 }
 
+/// By kind, then by object.
 std::vector<std::string> paths_of(const Json& units) {
   std::vector<std::string> paths;
   list_paths(units, "", paths);
+  for (std::size_t i = 0, count = paths.size(); i < count; ++i) {
+    if (std::optional<std::string> object = object_path(paths[i])) paths.push_back(std::move(*object));
+  }
   return paths;
 }
 
@@ -120,7 +126,9 @@ ResultName parsed_result_name(const std::string& name) {
 
 std::vector<double> named_values(const Json& summary, const std::string& path) {
   std::vector<double> values;
-  if (const auto parts = name_parts(path)) gather(summary, *parts, 0, values);
+  for (const std::string& name : summary_paths(path)) {
+    if (const auto parts = name_parts(name)) gather(summary, *parts, 0, values);
+  }
   return values;
 }
 

@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "resultfiles/summary/summary_fields.h"
+#include "results/fields/fatigue_fields.h"
 #include "results/fields/lay_operation_fields.h"
 #include "results/fields/line_values.h"
 #include "results/fields/moored_fields.h"
 #include "results/fields/mooring_fields.h"
+#include "results/fields/stinger_dynamics_fields.h"
 #include "results/operation_results.h"
 
 namespace overbend {
@@ -57,7 +59,7 @@ struct UnitStyle : ValueStyle<Output::summary> {
   template <class Row, class Make>
   static Json rows(const std::vector<Row>&, Make json_of) {
     Row row{};
-    if constexpr (std::is_same_v<Row, RowResult>) {
+    if constexpr (std::is_same_v<Row, RowResult> || std::is_same_v<Row, SupportDynamics>) {
       row.rollers.resize(3);
       row.rollers[1].position = RollerPosition::port;
       row.rollers[2].position = RollerPosition::starboard;
@@ -77,6 +79,8 @@ class JsonWriter<UnitStyle> {
   void operator()(const ResultField& f, double) { put(f, told_of(f, told_)); }
   void operator()(const ResultField& f, const std::optional<double>&) { put(f, told_of(f, told_)); }
   void operator()(const ResultField& f, int) { put(f, told_of(f, told_)); }
+  void operator()(const ResultField& f, std::int64_t) { put(f, told_of(f, told_)); }
+  void operator()(const ResultField& f, std::uint64_t) { put(f, told_of(f, told_)); }
   void operator()(const ResultField& f, const Vec3&) {
     const std::optional<std::string_view> key = f.key(Output::summary);
     if (!key) return;
@@ -132,8 +136,17 @@ void add_mooring_units(const UnitStyle& style, Json& statics) {
   const VesselResult vessel;
   const MooringLineResult line;
   statics["vessel"] = object_of(style, [&](auto& one) { visit_vessel_offset(vessel, one); });
+  statics["vessel"]["natural_periods"] = Json::array({object_of(style, [](auto& one) {
+    one(ResultField{"period", "s", "Undamped natural period"}.summary(), 0.0);
+  })});
+  statics["thrust"] = object_of(style, [](auto& one) {
+    one(ResultField{"surge", "N", "Thrust ahead"}.summary(), 0.0);
+    one(ResultField{"sway", "N", "Thrust to port"}.summary(), 0.0);
+    one(ResultField{"yaw", "N m", "Moment of the thrusters, bow to port"}.summary(), 0.0);
+  });
   statics["moorings"] = Json::array({object_of(style, [&](auto& one) {
     visit_mooring_line(line, one);
+    one(ResultField{"length_on_bed", "m", "Unstressed length on the bed"}.summary(), line.on_bed);
     visit_mooring_use(line, one);
   })});
 }
@@ -145,7 +158,37 @@ void add_mooring_units_in_time(const UnitStyle& style, Json& dynamic) {
   const MooringLineDynamics line;
   dynamic["vessel"] = object_of(style, [&](auto& one) { visit_vessel_dynamics(vessel, one); });
   dynamic["thrust"] = Json::array({object_of(style, [&](auto& one) { visit_thrust_dynamics(thrust, one); })});
-  dynamic["moorings"] = Json::array({object_of(style, [&](auto& one) { visit_mooring_dynamics(line, one); })});
+  Json mooring = object_of(style, [&](auto& one) { visit_mooring_dynamics(line, one); });
+  const MooringEvent event;
+  mooring["events"] = Json::array({object_of(style, [&](auto& one) { visit_mooring_event(event, one); })});
+  dynamic["moorings"] = Json::array({std::move(mooring)});
+}
+
+/// What a hull with hydrodynamic coefficients adds to the statics of a run.
+void add_hull_units(const UnitStyle& style, Json& statics) {
+  const HullResults hull;
+  const RadiationEntryResult entry;
+  const RadiationGroupResult group;
+  const ModeDampingResult mode;
+  Json units = object_of(style, [&](auto& one) {
+    visit_hull(hull, one);
+    visit_steady_loads(hull, one);
+  });
+  units["radiation"] = Json::array({object_of(style, [&](auto& one) { visit_radiation_entry(entry, one); })});
+  units["fit"] = Json::array({object_of(style, [&](auto& one) { visit_radiation_group(group, one); })});
+  units["damping"] = Json::array({object_of(style, [&](auto& one) { visit_mode_damping(mode, one); })});
+  statics["hull"] = std::move(units);
+}
+
+/// What fatigue and a stinger that turns on its hinges add to a run in time.
+void add_fatigue_and_stinger_units(const UnitStyle& style, Json& dynamic) {
+  const FatigueResults fatigue;
+  const FatigueSpot spot;
+  const StingerSectionDynamics section;
+  dynamic["fatigue"] = object_of(style, [&](auto& one) { visit_fatigue(fatigue, one); });
+  dynamic["fatigue"]["spots"] = Json::array({object_of(style, [&](auto& one) { visit_fatigue_spot(spot, one); })});
+  dynamic["stinger"] = object_of(style, [&](auto& one) { visit_stinger_dynamics(section, one); });
+  dynamic["stinger"]["sections"] = Json::array({dynamic["stinger"]});
 }
 
 /// What lines that stand by themselves add to the statics, and to a run in time.
@@ -181,6 +224,8 @@ Json dynamic_summary_told(const UnitStyle& style) {
   told["dynamic"] = dynamic_part(style, statics, any);
   add_mooring_units_in_time(style, told["dynamic"]);
   add_line_units_in_time(style, told["dynamic"]);
+  add_fatigue_and_stinger_units(style, told["dynamic"]);
+  add_hull_units(style, told["static"]);
   return told;
 }
 
@@ -203,11 +248,18 @@ const Json& dynamic_summary_units() {
 }
 
 const Json& stage_units() {
-  static const Json kUnits = object_of(telling(Told::dimension), [](auto& stage) {
-    const StageResult any;
-    visit_lay_stage(any.stage, stage);
-    visit_stage_result(any, stage);
-  });
+  static const Json kUnits = [] {
+    const UnitStyle style = telling(Told::dimension);
+    const StageFailure failure;
+    Json units = object_of(style, [](auto& stage) {
+      const StageResult any;
+      visit_lay_stage(any.stage, stage);
+      visit_stage_result(any, stage);
+    });
+    const Json of_failure = object_of(style, [&](auto& one) { visit_stage_failure(failure, one); });
+    for (const auto& [key, unit] : of_failure.items()) units["failure." + key] = unit;
+    return units;
+  }();
   return kUnits;
 }
 

@@ -12,7 +12,8 @@ const Json& summary_units();
 /// The same of a dynamic analysis: with the key `dynamic`.
 const Json& dynamic_summary_units();
 
-/// Of what a stage of an operation on the line has besides the keys of a lay: `tension`, `barge_ahead`.
+/// Of what a stage of an operation on the line has besides the keys of a lay: `tension`, `barge_ahead`,
+/// `failure.least_tension`.
 const Json& stage_units();
 
 /// The same with units as results.h5 has them: "Pa", "N m".

@@ -6,6 +6,7 @@
 #include "resultfiles/summary/named_dynamics.h"
 #include "resultfiles/summary/named_results.h"
 #include "resultfiles/summary/result_units.h"
+#include "results/fields/object_names.h"
 
 namespace overbend {
 namespace {
@@ -55,8 +56,16 @@ std::string with_function(const ResultName& name, const std::string& path) {
   return path;
 }
 
-std::optional<std::string> unit_of(StudyAnalysis analysis, const std::string& name) {
-  return analysis == StudyAnalysis::dynamic ? dynamic_result_unit(name) : result_unit(name);
+std::optional<std::string> output_unit(StudyAnalysis analysis, std::string path) {
+  if (analysis == StudyAnalysis::operation) {
+    if (const auto unit = own_unit_of_stage(path)) return unit;
+    path = stage_path(path);
+  }
+  for (const char* ending : {"", ".max"}) {
+    const std::string name = path + ending;
+    if (auto unit = analysis == StudyAnalysis::dynamic ? dynamic_result_unit(name) : result_unit(name)) return unit;
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> usual_outputs_of_hull(StudyAnalysis analysis) {
@@ -116,15 +125,8 @@ std::optional<StudyOutput> study_output(StudyAnalysis analysis, const std::strin
   if (name == "checks.governing") return StudyOutput{name, "", true};
   if (analysis == StudyAnalysis::seek && name.starts_with("seek.")) return seek_output(name, seek);
   const ResultName parsed = parsed_result_name(name);
-  std::string path = own_path(analysis, parsed.path);
-  if (analysis == StudyAnalysis::operation) {
-    if (const auto unit = own_unit_of_stage(path)) return StudyOutput{name, *unit, false};
-    path = stage_path(path);
-  }
-  for (const char* ending : {"", ".max"}) {
-    if (const auto unit = unit_of(analysis, with_function(parsed, path + ending))) {
-      return StudyOutput{name, *unit, false};
-    }
+  for (const std::string& path : summary_paths(parsed.path)) {
+    if (const auto unit = output_unit(analysis, own_path(analysis, path))) return StudyOutput{name, *unit, false};
   }
   return std::nullopt;
 }

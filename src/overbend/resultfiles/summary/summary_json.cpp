@@ -1,5 +1,6 @@
 #include "resultfiles/summary/summary_json.h"
 
+#include "resultfiles/summary/result_objects.h"
 #include "resultfiles/summary/summary_fields.h"
 #include "results/verdict.h"
 
@@ -34,7 +35,7 @@ Json static_summary_json(const StaticResults& r) {
 
 std::string summary_text(const Json& summary) {
   // A title may hold bytes that are no UTF-8; they become the replacement character.
-  return json_text(summary, 2) + "\n";
+  return json_text(with_objects(summary), 2) + "\n";
 }
 
 std::string static_summary(const StaticResults& results) {

@@ -31,6 +31,7 @@ void add_stinger_dynamics(const DynamicResults& results, Json& summary);
 /// dynamic.fatigue, where the model asks for it.
 void add_fatigue(const DynamicResults& results, Json& summary);
 
+/// The text of a summary with its results by object (resultfiles/summary/result_objects.h).
 std::string summary_text(const Json& summary);
 
 }  // namespace overbend
