@@ -26,7 +26,7 @@ explains the whole on examples, the [notebooks](README.md) use it.
 """
 # Modules in the order of the page, with their headings; others follow under their own names.
 HEADINGS = {
-    "model": "Models", "results": "Results", "findings": "Findings", "runs": "Several runs", "seeking": "Goal seek", "studies": "Studies",
+    "model": "Models", "results": "Results", "objects": "Results by object", "findings": "Findings", "runs": "Several runs", "seeking": "Goal seek", "studies": "Studies",
     "lay_table": "Lay tables",
     "operation": "Operations on the line", "sensitivities": "Derivatives", "simulation": "Simulations step by step",
     "controllers": "Controllers", "comparison": "Comparisons", "opening": "Results in folders", "plots": "Figures",

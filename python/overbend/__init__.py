@@ -19,6 +19,7 @@ from .findings import Finding, FindingNumber
 from .groups import Record, Records, Table
 from .lay_table import LayTable
 from .model import Model
+from .objects import Objects
 from .opening import open  # noqa: A004  (as in xarray and others: ob.open)
 from .operation import OperationResults
 from .results import StaticResults
@@ -47,6 +48,7 @@ __all__ = [
     "ModelError",
     "NoSolution",
     "Number",
+    "Objects",
     "Operability",
     "OperationResults",
     "OverbendError",

@@ -13,6 +13,7 @@ from . import _core
 from .errors import NoSolution
 from .findings import findings_of
 from .groups import Record, Table, nearest, wrapped
+from .objects import Objects, objects_in
 from .results import StaticResults, summary_descriptions, summary_units
 from .values import Number, labelled
 
@@ -113,6 +114,12 @@ class OperationResults(Sequence[Stage]):
     def names(self) -> list[str]:
         """The names of the stages."""
         return [stage["name"] for stage in self._stages]
+
+    @functools.cached_property
+    def objects(self) -> Objects:
+        """The results by object: `objects.stages['half way'].lines['pipe'].static.lay_back`."""
+        return objects_in(self.summary, {stage["name"]: stage._units for stage in self},
+                          {stage["name"]: stage._descriptions for stage in self})
 
     @property
     def worst(self) -> Optional[Record]:

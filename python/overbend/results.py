@@ -15,6 +15,7 @@ from . import _core
 from .errors import ResultsError
 from .findings import Finding, findings_of
 from .groups import Record, Records, Table, nearest, record_of, table_of, wrapped
+from .objects import Objects, objects_in
 from .values import Number
 
 if TYPE_CHECKING:
@@ -39,7 +40,8 @@ class Results:
     """What static and dynamic results have in common.
 
     Key results are attributes by their names in summary.json: `static.lay_back`, `run.top_tension.max`. An item gives a
-    result by its name as goal seek and studies have it: `static['static.supports[stinger *].reaction']`.
+    result by its name as goal seek and studies have it: `static['static.supports[stinger *].reaction']`, or by object:
+    `static['lines[pipe].static.lay_back']`.
     """
 
     #: The part of the summary whose values are attributes.
@@ -97,6 +99,11 @@ class Results:
     def checks(self) -> "Checks":
         """The code checks."""
         return Checks(self.summary.get("checks", {}), summary_units().get("checks"), summary_descriptions().get("checks"))
+
+    @functools.cached_property
+    def objects(self) -> Objects:
+        """The results by object: `objects.lines['pipe'].static.lay_back`, `objects.supports['stinger 3'].static.reaction`."""
+        return objects_in(self.summary)
 
     @functools.cached_property
     def _record(self) -> Record:

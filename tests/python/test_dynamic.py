@@ -61,6 +61,13 @@ class Dynamics(unittest.TestCase):
         self.assertEqual(self.run_["dynamic.top_tension.max"], self.run_.top_tension.max)
         self.assertEqual(self.run_.static.lay_back, self.told["static"]["lay_back"])
 
+    def test_results_are_found_by_object(self):
+        pipe = self.run_.objects.lines["pipe"]
+        self.assertEqual(pipe.dynamic.top_tension.max, self.run_.top_tension.max)
+        self.assertEqual((pipe.dynamic.top_tension.max.units, pipe.static.lay_back.units), ("N", "m"))
+        self.assertEqual(self.run_.objects.run.dynamic.steps, self.told["dynamic"]["steps"])
+        self.assertEqual(self.run_["lines[pipe].dynamic.top_tension.max"], self.run_.top_tension.max)
+
     def test_checks_are_those_of_the_run(self):
         worst = self.told["dynamic"]["checks"]["worst"]
         self.assertEqual(self.run_.checks.worst.utilisation, worst["utilisation"])

@@ -45,6 +45,13 @@ class Operations(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "did you mean 'on the ramp'"):
             self.operation["on the ram"]
 
+    def test_stages_have_their_results_by_object(self):
+        stage, told = self.operation.objects.stages["on the ramp"], self.operation["on the ramp"]
+        self.assertEqual((stage.tension, stage.tension.units), (300e3, "N"))
+        self.assertEqual(stage.lines["pipe"].static.lay_back, told.lay_back)
+        self.assertEqual(stage.lines["pipe"].static.lay_back.units, "m")
+        self.assertEqual([*self.operation.objects.stages], self.operation.names)
+
     def test_every_stage_has_statics(self):
         static = self.operation["on the ramp"].static
         self.assertEqual(static.lay_back, self.operation["on the ramp"].lay_back)

@@ -141,6 +141,28 @@ class Statics(unittest.TestCase):
         with self.assertRaises(KeyError):
             self.static["static.sagbend.max_bending_stres"]
 
+    def test_results_are_found_by_object(self):
+        objects = self.static.objects
+        self.assertEqual(objects.keys(), list(self.told["objects"]))
+        self.assertEqual(objects.lines.keys(), ["pipe"])
+        self.assertEqual(objects.lines["pipe"].static.lay_back, self.static.lay_back)
+        self.assertEqual(objects.lines["pipe"].static.lay_back.units, "m")
+        self.assertEqual(objects.lines["pipe"].static.lay_back.description, self.static.lay_back.description)
+        self.assertEqual(objects.supports["stinger 3"].static.reaction, self.static.supports["stinger 3"].reaction)
+        self.assertEqual(objects.supports["stinger 3"].static.reaction.units, "N")
+        self.assertEqual(objects.run.static.balance.force_residual.units, "1")
+        with self.assertRaisesRegex(KeyError, "did you mean 'stinger 3'"):
+            objects.supports["stingr 3"]
+        self.assertEqual(self.static["lines[pipe].static.lay_back"], self.static.lay_back)
+        self.assertEqual(self.static["lines[pipe].static.lay_back"].units, "m")
+
+    def test_results_of_an_earlier_version_say_that_they_have_no_objects(self):
+        with tempfile.TemporaryDirectory() as folder:
+            old = {key: value for key, value in self.told.items() if key != "objects"}
+            pathlib.Path(folder, "summary.json").write_text(json.dumps(old), encoding="utf-8")
+            with self.assertRaisesRegex(ob.ResultsError, "earlier version"):
+                ob.open(folder).objects
+
     def test_an_unknown_name_says_what_might_be_meant(self):
         with self.assertRaises(AttributeError) as caught:
             self.static.layback
@@ -231,8 +253,14 @@ class Statics(unittest.TestCase):
         moored = ob.Model.read(ROOT / "examples" / "moored-barge.yaml").static()
         self.assertTrue(len(moored.moorings) >= 3)
         self.assertGreater(moored.moorings[0].fairlead_tension, 0.0)
+        first = moored.objects.lines[moored.moorings[0].name]
+        self.assertEqual((first.kind, first.static.fairlead_tension), ("mooring", moored.moorings[0].fairlead_tension))
+        self.assertEqual((first.static.fairlead_tension.units, moored.objects.bodies["vessel"].static.surge.units), ("N", "m"))
         lines = ob.Model.read(ROOT / "examples" / "jumper.yaml").static()
         self.assertTrue(lines.lines[0].first)
+        name = lines.lines[0].name
+        self.assertEqual(lines.objects.lines[name].static.largest_tension, lines.lines[0].largest_tension)
+        self.assertEqual(lines.objects.lines[name].static.largest_tension.units, "N")
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@
 #include "resultfiles/hdf5/result_tree.h"
 #include "resultfiles/summary/named_dynamics.h"
 #include "resultfiles/summary/named_results.h"
+#include "resultfiles/summary/result_objects.h"
 #include "resultfiles/summary/result_units.h"
 
 namespace overbend {
@@ -141,6 +142,12 @@ void add_results(py::module_& module) {
   module.def(
       "summary_descriptions", [] { return to_python(summary_descriptions()); },
       "Descriptions in the places of summary.json's numbers.");
+  module.def(
+      "object_units", [] { return to_python(result_objects(stored_summary_units())); },
+      "Units in the places of the numbers of results by object; of lines by their kind, of supports by '*'.");
+  module.def(
+      "object_descriptions", [] { return to_python(result_objects(summary_descriptions())); },
+      "Descriptions likewise.");
 }
 
 }  // namespace overbend
