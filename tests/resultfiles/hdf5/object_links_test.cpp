@@ -7,6 +7,7 @@
 #include "resultfiles/dynamic/dynamic_writer.h"
 #include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/stages/operation_writer.h"
+#include "resultfiles/static/rechecked_hdf5.h"
 #include "resultfiles/static/results_writer.h"
 #include "results/fields/object_names.h"
 #include "support/dynamic_case.h"
@@ -48,6 +49,17 @@ TEST(object_links, of_a_run_lead_to_the_groups_of_the_table) {
   }
   EXPECT_GE(links, 9);
   EXPECT_EQ(file.doubles("/objects/lines/pipe/dynamic/lay_back_max"), std::vector{dynamics.lay_back.max});
+}
+
+TEST(object_links, lead_to_the_new_checks_of_results_that_are_checked_again) {
+  const TemporaryFolder folder;
+  const auto& [description, statics] = solved_case("BGL1-T250");
+  const DynamicResults dynamics = testing::filled_dynamics(statics);
+  write_dynamic_hdf5(statics, dynamics, testing::filled_run(folder.path()), description, folder / "results.h5");
+  StaticResults checked = statics;
+  checked.checks.rows.resize(1);
+  copy_rechecked(folder / "results.h5", folder / "again.h5", checked, dynamics, description);
+  EXPECT_EQ(Hdf5Reader(folder / "again.h5").doubles("/objects/lines/pipe/static/checks/list/utilisation").size(), 1U);
 }
 
 TEST(object_links, of_lines_by_themselves_have_their_names) {
