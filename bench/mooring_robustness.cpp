@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "model/description/description.h"
 #include "model/pipe/line_types.h"
 #include "moorings/equilibrium.h"
 

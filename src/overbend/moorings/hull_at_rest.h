@@ -1,6 +1,7 @@
 /// The hull of a description as its rest on mooring lines needs it.
 #pragma once
 
+#include "model/description/description.h"
 #include "moorings/equilibrium.h"
 
 namespace overbend {

@@ -24,7 +24,7 @@ class ToldLine {
 
   /// Predicts a step and tells what came of it: the predicted accelerations.
   std::vector<double> step(double h = kStep) {
-    predict(scheme, system_, now_, h, {}, next_);
+    predict(scheme, assembly_, now_, h, {}, next_);
     LineState& line = next_.lines.front();
     const std::vector<double> predicted = line.acc;
     ++steps_;
@@ -46,6 +46,7 @@ class ToldLine {
  private:
   std::function<double(int, std::size_t)> acceleration_;
   System system_;
+  Assembly assembly_{system_};
   SystemState now_, next_;
   int steps_ = 0;
 };
