@@ -87,6 +87,8 @@ TEST(report_without_pipe, of_lines_shows_each_end_and_over_time_only_after_a_run
   EXPECT_NE(moved.find("Tension over time"), std::string::npos);
   EXPECT_NE(moved.find("54 s after a build-up of 27 s"), std::string::npos);
   EXPECT_NE(moved.find("<td class=\"t\">jumper</td><td class=\"t\">first</td><td>33.00</td>"), std::string::npos);
+  const std::size_t statistics = moved.find("<section id=\"statistics\">");
+  EXPECT_NE(moved.find("Tension at the first end, jumper", statistics), std::string::npos);
 }
 
 TEST(report_without_pipe, shows_results_even_where_the_model_can_no_longer_be_read) {

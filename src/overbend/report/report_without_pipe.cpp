@@ -89,7 +89,11 @@ std::string figures_in_time(const StaticResults& statics, const DynamicResults& 
     if (std::string(figure.id) == "spectra") return !spectrum_data(results).empty();
     return std::any_of(histories.begin(), histories.end(), [&](const Json& one) { return one["group"] == part; });
   };
-  return figure_section("dynamic-figures", "Motion of the vessel and sea", figure_list(kFigures, makes_sense, number));
+  const bool moves = std::ranges::any_of(kFigures, [&](const Figure& figure) {
+    return figure.id != std::string("spectra") && makes_sense(figure, figure.parts.front());
+  });
+  return figure_section("dynamic-figures", moves ? "Motion of the vessel and sea" : "Spectra",
+                        figure_list(kFigures, makes_sense, number));
 }
 
 }  // namespace

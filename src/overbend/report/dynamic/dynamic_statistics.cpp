@@ -94,6 +94,9 @@ std::string statistics_table(const StaticResults& statics, const DynamicResults&
   for (const char* name : {"elevation", "surge", "sway", "heave", "roll", "pitch", "yaw"}) {
     table.add_history(name);
   }
+  for (const HistorySummary& history : r.histories) {
+    if (history.name.starts_with("line/")) table.add(history.name, history.units, history.over_time);
+  }
   return table.str();
 }
 
