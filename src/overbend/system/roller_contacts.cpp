@@ -350,8 +350,9 @@ void RollerContacts::evaluate_one(std::size_t index, const std::optional<Meeting
                             double full) {
     SlipStep step{slip, rate, weights.step, normal.force};
     if (before.carries) step.start_rate = start_rate;
-    if (!continuation_.friction_by_slip)
+    if (!continuation_.friction_by_slip) {
       return full == 0.0 ? FrictionForce{} : friction_in_state(roller.law, mu, step, slide(full));
+    }
     if (kept) {
       return friction_in_state(roller.law, mu, step, at_start);
     }

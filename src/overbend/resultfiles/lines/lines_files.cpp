@@ -1,5 +1,7 @@
 #include "resultfiles/lines/lines_files.h"
 
+#include <fmt/format.h>
+
 #include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
@@ -43,8 +45,9 @@ void write_lines(DatasetSink& file, const std::vector<LineResult>& lines) {
     ValueWriter values{file, group};
     visit_line(line, values);
     for_ends(line, [&](const std::string& name, const LineEndResult& end) {
-      file.group(group + "/" + name, "End of the line");
-      ValueWriter of_end{file, group + "/" + name};
+      const std::string below = fmt::format("{}/{}", group, name);
+      file.group(below, "End of the line");
+      ValueWriter of_end{file, below};
       visit_line_end(end, of_end);
     });
     TableWriter nodes;
@@ -64,7 +67,7 @@ std::vector<LineResult> read_lines(const Hdf5Reader& file) {
     ValueReader values{file, group};
     visit_line(line, values);
     for_ends(line, [&](const std::string& name, LineEndResult& end) {
-      ValueReader of_end{file, group + "/" + name};
+      ValueReader of_end{file, fmt::format("{}/{}", group, name)};
       visit_line_end(end, of_end);
     });
     TableReader nodes(file, group + "/nodes");

@@ -1,5 +1,7 @@
 #include "resultfiles/summary/result_objects.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -42,9 +44,8 @@ std::string item_key(const Json& list, std::size_t index, const ObjectRow& row, 
 /// The members of a value that belong to the row.
 Json members_in(const Json& value, const ObjectRow& row) {
   Json members = Json::object();
-  const std::string path(row.path);
   for (const auto& [key, member] : value.items()) {
-    if (object_row(path + "." + key) == &row) members[key] = member;
+    if (object_row(fmt::format("{}.{}", row.path, key)) == &row) members[key] = member;
   }
   return members;
 }

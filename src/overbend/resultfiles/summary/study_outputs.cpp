@@ -58,7 +58,7 @@ std::string with_function(const ResultName& name, const std::string& path) {
 
 std::optional<std::string> output_unit(StudyAnalysis analysis, std::string path) {
   if (analysis == StudyAnalysis::operation) {
-    if (const auto unit = own_unit_of_stage(path)) return unit;
+    if (auto unit = own_unit_of_stage(path)) return unit;
     path = stage_path(path);
   }
   for (const char* ending : {"", ".max"}) {

@@ -173,8 +173,9 @@ std::vector<Parts> by_kind_in_stage(const Parts& object) {
   if (object.size() == 2 || !is_root(object[2].text)) return {whole};
   std::vector<Parts> paths;
   for (const Parts& path : by_kind({object.begin() + 2, object.end()})) {
-    if (path.front().text == "static")
+    if (path.front().text == "static") {
       paths.push_back(replaced(path, {{"static"}}, {whole.begin(), whole.begin() + 3}));
+    }
   }
   return paths;
 }

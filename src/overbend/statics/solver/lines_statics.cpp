@@ -38,10 +38,12 @@ NewtonReport harden_and_rest(Equilibrium& resting, LineAssembly& line, SystemSta
   Continuation soft = hard;
   int iterations = 0;
   const double full = stiffest(line);
-  for (double most = kSoftest * line.line().force_scale; most < full; most *= kHarder) {
+  double most = kSoftest * line.line().force_scale;
+  while (most < full) {
     soft.max_axial_stiffness = most;
     line.set(soft);
     iterations += come_to_rest(resting, state, {kRoughly, settings.max_iterations}).iterations;
+    most *= kHarder;
   }
   line.set(hard);
   NewtonReport report = come_to_rest(resting, state, settings);
