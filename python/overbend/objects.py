@@ -8,7 +8,7 @@ from . import _core
 from .errors import ResultsError
 from .groups import Record
 
-_Told = Mapping[str, Any]
+_Values = Mapping[str, Any]
 
 
 class Objects(Record):
@@ -26,7 +26,7 @@ class Objects(Record):
     """
 
 
-def objects_in(summary: _Told, stage_units: _Told | None = None, stage_descriptions: _Told | None = None) -> Objects:
+def objects_in(summary: _Values, stage_units: _Values | None = None, stage_descriptions: _Values | None = None) -> Objects:
     """The results by object of a summary.
 
     Args:
@@ -44,9 +44,9 @@ def objects_in(summary: _Told, stage_units: _Told | None = None, stage_descripti
                    _in_place(values, _core.object_descriptions(), stage_descriptions or {}))
 
 
-def _in_place(values: _Told, told: _Told, stages: _Told) -> dict[str, Any]:
-    """What is told of a line by its kind, of a support by "*", in the places of the objects."""
-    lines = {name: told["lines"][line["kind"]] for name, line in values.get("lines", {}).items()}
-    supports = {name: told["supports"]["*"] for name in values.get("supports", {})}
-    below = {name: {**stages.get(name, {}), **_in_place(stage, told, {})} for name, stage in values.get("stages", {}).items()}
-    return {**told, "lines": lines, "supports": supports, "stages": below}
+def _in_place(values: _Values, places: _Values, stages: _Values) -> dict[str, Any]:
+    """Units or descriptions of a line by its kind, of a support by "*", in the places of the objects."""
+    lines = {name: places["lines"][line["kind"]] for name, line in values.get("lines", {}).items()}
+    supports = {name: places["supports"]["*"] for name in values.get("supports", {})}
+    below = {name: {**stages.get(name, {}), **_in_place(stage, places, {})} for name, stage in values.get("stages", {}).items()}
+    return {**places, "lines": lines, "supports": supports, "stages": below}
