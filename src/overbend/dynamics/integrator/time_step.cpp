@@ -51,6 +51,7 @@ TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
       scheme_(settings.spectral_radius),
       giving_(assembly.system()),
       moves_(assembly.tensioners().size()),
+      factored_governed_(moves_.size()),
       most_further_(iterations_for_factors(assembly.system())),
       slow_lines_(most_further_.size()),
       dq_(assembly.increments()),
@@ -179,10 +180,11 @@ bool TimeStepper::fit_drives(const SystemState& next) {
 
 StepReport TimeStepper::step_with_drives(const SystemState& now, double h, SystemState& next) {
   StepReport report;
-  const bool governed =
-      std::ranges::any_of(moves_, [](const MachineStep& move) { return move.drive == TensionerDrive::governor; });
-  factored_ = factored_ && governed == factored_governed_;
-  factored_governed_ = governed;
+  for (std::size_t i = 0; i < moves_.size(); ++i) {
+    const char governed = moves_[i].drive == TensionerDrive::governor ? 1 : 0;
+    factored_ = factored_ && governed == factored_governed_[i];
+    factored_governed_[i] = governed;
+  }
   predict(scheme_, *assembly_, now, h, moves_, next);
   giving_.begin(now, h, next);
   int rounds = 0, earlier = 0;

@@ -59,7 +59,7 @@ class TimeStepper {
   GivingEnds giving_;
   std::vector<MachineStep> moves_;  ///< Of the tensioners of the system.
   bool factored_ = false;
-  bool factored_governed_ = false;  ///< With a top free along its guide.
+  std::vector<char> factored_governed_;  ///< By tensioners: with an end free along its guide.
   double factored_step_ = 0.0;
   std::uint64_t factored_contacts_ = 0;
   int factors_age_ = 0;
