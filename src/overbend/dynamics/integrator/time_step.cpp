@@ -43,6 +43,14 @@ class ToAndFro {
   std::array<double, 3> last_{-1.0, -2.0, -4.0};  ///< Residuals, the latest first; at first no two alike.
 };
 
+/// Whether a line runs back through its guide: the equations balance there as well, with its last element inside out.
+bool any_end_turned(const System& system, const SystemState& state) {
+  for (std::size_t i = 0; i < state.attachments.size(); ++i) {
+    if (system.attachments[i].hold_direction && state.attachments[i].guide.q <= 0.0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
@@ -141,7 +149,8 @@ bool TimeStepper::factors_serve(const StepReport& report, const SystemState& now
 }
 
 StepReport TimeStepper::step(const SystemState& now, double h, SystemState& next) {
-  constexpr int kMostDrives = 4;  // two that each ask for the other differ by nothing
+  constexpr int kMostDrives = 4;  // of a machine; two that each ask for the other differ by nothing
+  const int most_tries = kMostDrives * std::max(1, static_cast<int>(moves_.size()));
   const System& system = assembly_->system();
   const double authority = tensioner_authority(system, now.time + 0.5 * h);
   for (std::size_t i = 0; i < moves_.size(); ++i) {
@@ -152,7 +161,7 @@ StepReport TimeStepper::step(const SystemState& now, double h, SystemState& next
     moves_[i] = {first_drive(law, held.machine), reachable_speeds(law, held.machine, travel, authority, h)};
   }
   StepReport report;
-  for (int tries = 0; tries < kMostDrives; ++tries) {
+  for (int tries = 0; tries < most_tries; ++tries) {
     const StepReport part = step_with_drives(now, h, next);
     const int iterations = report.iterations + part.iterations,
               factorisations = report.factorisations + part.factorisations;
@@ -215,7 +224,9 @@ StepReport TimeStepper::step_with_drives(const SystemState& now, double h, Syste
         assembly_->impose_ends(next);
         continue;
       }
-      report.end = rounds < kMostRounds ? StepEnd::converged : StepEnd::too_many_iterations;
+      report.end = any_end_turned(assembly_->system(), next) ? StepEnd::lost
+                   : rounds < kMostRounds                    ? StepEnd::converged
+                                                             : StepEnd::too_many_iterations;
       end_accelerations(scheme_, now, next);
       assembly_->finish_step(now, h, next);
       break;
