@@ -44,7 +44,7 @@ bool balance(Assembly& assembly, const SystemState& now, double h, SystemState& 
   for (std::size_t i = 0; i < next.attachments.size(); ++i) {
     const Attachment& held = system.attachments[i];
     const std::size_t line = static_cast<std::size_t>(held.line);
-    const double* at = dq[line].data() + 6 * assembly.line(line).end_node(held.end);
+    const double* at = dq[line].data() + 6 * held_node(held, assembly.line(line).line());
     const Vec3& direction = assembly.surroundings().ends[i].direction;
     next.attachments[i].guide.acc += kMassDominates * direction.dot(Vec3(Eigen::Map<const Vec3>(at + 3)));
     if (held.tensioner && held.tensioner->mode == TensionerMode::constant) {

@@ -58,7 +58,7 @@ class Tangent {
     for (std::size_t i = 0; i < at.attachments.size() && !dq.empty(); ++i) {
       const Attachment& held = system_.attachments[i];
       const std::size_t line = static_cast<std::size_t>(held.line);
-      const double* part = dq[line].data() + 6 * assembly_->line(line).end_node(held.end);
+      const double* part = dq[line].data() + 6 * held_node(held, system_.lines[line]);
       const Vec3 direction = directions_[i];
       const auto add = [&](MotionValues& values, double d) {
         values.q += share * d;
@@ -92,7 +92,7 @@ class Tangent {
     for (std::size_t i = 0; i < system_.attachments.size(); ++i) {
       const Attachment& held = system_.attachments[i];
       const auto keep_along = [&](bool guided, int first) {
-        Eigen::Map<Vec3> part(residual.data() + 6 * assembly_->line(line).end_node(held.end) + first);
+        Eigen::Map<Vec3> part(residual.data() + 6 * held_node(held, system_.lines[line]) + first);
         if (guided && held.line == static_cast<int>(line)) {
           part = part.dot(assembly_->surroundings().ends[i].direction) * Vec3::UnitX();
         }
@@ -214,6 +214,66 @@ TEST(body_border, of_a_rod_between_two_bodies_is_the_derivative) {
   first_end(system).body = 1;
   hold(first_end(system), true, true);
   expect_exact(system);
+}
+
+/// Holds an inner node of a line to a body at a point of its frame.
+Attachment& hold_inside(System& system, int line, int node, int body, const Vec3& place_V) {
+  Attachment& held = system.attachments.emplace_back();
+  held.line = line;
+  held.end = LineEnd::inner;
+  held.node = node;
+  hold_on_body(held, place_V);
+  held.body = body;
+  return held;
+}
+
+TEST(body_border, of_nodes_between_the_ends_is_the_derivative) {
+  System system = rod_on_body(true, true);
+  hold_inside(system, 0, 2, 0, Vec3(2.1, 0.1, -0.1));
+  expect_exact(system);
+  hold_inside(system, 0, 1, 0, Vec3(1.0, -0.1, 0.1)).hold_direction = true;  // beside the other
+  expect_exact(system);
+}
+
+/// A point where the middle of a rod and the end of another meet.
+System rods_at_a_point() {
+  System system = rod_on_body(true, true);
+  system.lines.push_back(rod_system({4000.0, 60.0, 1.2}, 4.0, 4).lines[0]);
+  Attachment ground = first_end(system);
+  ground.line = 1;
+  ground.place = Vec3(0.0, 3.0, 0.0);
+  Attachment end = ground;
+  end.end = LineEnd::last;
+  end.body = 1;
+  end.place = Vec3::Zero();
+  system.attachments.push_back(ground);
+  system.attachments.push_back(end);
+  system.bodies.emplace_back().free = free_point(Vec3(3.0, 1.5, 0.2), 100.0);
+  hold_inside(system, 0, 2, 1, Vec3::Zero());
+  return system;
+}
+
+/// Its angles, which nothing turns, stay where they are.
+void expect_exact_at_a_point(const System& system) {
+  for (unsigned seed = 1; seed < 4; ++seed) {
+    Tangent resting(system, 0.0, 0.0, seed, 0.05);
+    for (int angle = 3; angle < 6; ++angle) resting.assembly().hold_body(1, angle, true);
+    const auto [lines, bodies] = resting.error();
+    EXPECT_LT(lines, 1e-6) << seed;
+    EXPECT_LT(bodies, 1e-6) << seed;
+  }
+}
+
+TEST(body_border, of_a_point_where_lines_meet_is_the_derivative) {
+  expect_exact_at_a_point(rods_at_a_point());
+}
+
+TEST(body_border, of_wires_is_the_derivative) {
+  System system = rods_at_a_point();
+  system.wires.push_back({"to the ground", 1, kGround, Vec3::Zero(), Vec3(2.0, 5.0, 4.0), 4.0, 3000.0});
+  system.wires.push_back({"to the body", 0, 1, Vec3(1.0, -0.3, 2.0), Vec3::Zero(), 2.0, 2000.0});
+  system.wires.push_back({"slack", 0, 1, Vec3(1.0, -0.3, 2.0), Vec3::Zero(), 40.0, 2000.0});
+  expect_exact_at_a_point(system);
 }
 
 System governed(bool clamped) {

@@ -15,9 +15,13 @@ Vec3Map vec(std::vector<double>& values, int node, int first) {
 
 void impose(LineState& state, int node, const Attachment& held, const EndMotion& motion, const MotionValues& guide) {
   if (held.hold_place) {
-    vec(state.q, node, 0) = motion.place;
-    vec(state.v, node, 0) = motion.velocity;
-    vec(state.acc, node, 0) = motion.acceleration;
+    const auto put = [&](std::vector<double>& values, const Vec3& held_at) {
+      Vec3Map value = vec(values, node, 0);
+      value = held.free_along ? Vec3(held_at + *held.free_along * held.free_along->dot(value - held_at)) : held_at;
+    };
+    put(state.q, motion.place);
+    put(state.v, motion.velocity);
+    put(state.acc, motion.acceleration);
   }
   if (held.hold_direction) {
     vec(state.q, node, 3) = guide.q * motion.direction;
@@ -68,6 +72,9 @@ Assembly::Assembly(const System& system)
   for (std::size_t i = 0; i < system.lines.size(); ++i) {
     lines_.emplace_back(system.lines[i], system.bodies, solver_.line(static_cast<int>(i)));
   }
+  for (const Attachment& held : system.attachments) {
+    if (held.end == LineEnd::inner) lines_[static_cast<std::size_t>(held.line)].keep_force(held.node);
+  }
   for (const int body : overbend::free_bodies(system)) {
     hold_hinged(body);
   }
@@ -112,7 +119,9 @@ void Assembly::find_held() {
     const Vec3& direction = surroundings_.ends[i].direction;
     held_[i] = HeldDirections{};
     if (attachment.hold_place) {
-      held_[i].position = governed(i) ? across(direction) : all_directions();
+      held_[i].position = governed(i)             ? across(direction)
+                          : attachment.free_along ? across(*attachment.free_along)
+                                                  : all_directions();
     }
     if (attachment.hold_direction) {
       held_[i].tangent = across(direction);
@@ -156,7 +165,7 @@ void Assembly::add_governor(const Tensioner& tensioner, const SystemState& state
   LineAssembly& line = lines_[static_cast<std::size_t>(held.line)];
   const Vec3& d = surroundings_.ends[tensioner.attachment].direction;
   const double tension = governed_tension(*held.tensioner, state.attachments[tensioner.attachment].travel.v);
-  vec(line.residual(), line.end_node(held.end), 0) -= tension * tensioner.axis.dot(d) * d;
+  vec(line.residual(), held_node(held, line.line()), 0) -= tension * tensioner.axis.dot(d) * d;
 }
 
 void Assembly::add_governor_tangent(const Tensioner& tensioner, const SystemState& state, const Weights& weights) {
@@ -165,7 +174,7 @@ void Assembly::add_governor_tangent(const Tensioner& tensioner, const SystemStat
   const Vec3& d = surroundings_.ends[tensioner.attachment].direction;
   const double rate = governor_slope(*held.tensioner, state.attachments[tensioner.attachment].travel.v) *
                       weights.velocity * tensioner.axis.dot(d);
-  double* block = line.tangent().diag(line.end_node(held.end));
+  double* block = line.tangent().diag(held_node(held, line.line()));
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) {
       block[r * kRowWidth + c] += rate * d(r) * d(c);
@@ -189,7 +198,7 @@ void Assembly::impose_ends(SystemState& state) {
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const Attachment& held = system_->attachments[i];
     const std::size_t line = static_cast<std::size_t>(held.line);
-    impose(state.lines[line], lines_[line].end_node(held.end), held,
+    impose(state.lines[line], held_node(held, system_->lines[line]), held,
            dragged(paid_out(surroundings_.ends[i], state.attachments[i].travel), state.attachments[i].way),
            state.attachments[i].guide);
   }
@@ -199,7 +208,7 @@ void Assembly::find_axes(const SystemState& state) {
   for (Tensioner& tensioner : tensioners_) {
     const Attachment& held = system_->attachments[tensioner.attachment];
     const std::size_t line = static_cast<std::size_t>(held.line);
-    const double* t = state.lines[line].q.data() + 6 * lines_[line].end_node(held.end) + 3;
+    const double* t = state.lines[line].q.data() + 6 * held_node(held, system_->lines[line]) + 3;
     tensioner.axis = held.hold_direction ? surroundings_.ends[tensioner.attachment].direction
                                          : Vec3(Eigen::Map<const Vec3>(t)).normalized();
   }
@@ -274,7 +283,8 @@ void Assembly::finish_step(const SystemState& before, double h, SystemState& aft
 double Assembly::tension(std::size_t tensioner) const {
   const Tensioner& of = tensioners_[tensioner];
   const Attachment& held = system_->attachments[of.attachment];
-  const std::array<double, 6>& force = lines_[static_cast<std::size_t>(held.line)].end_force(held.end);
+  const LineAssembly& line = lines_[static_cast<std::size_t>(held.line)];
+  const std::array<double, 6>& force = line.held_force(held_node(held, line.line()));
   return Vec3(force[0], force[1], force[2]).dot(of.axis);
 }
 
@@ -300,10 +310,10 @@ SystemState state_at_rest(const System& system, const std::vector<std::vector<do
     state.lines.push_back(std::move(at));
   }
   for (const Attachment& held : system.attachments) {
-    const std::vector<double>& at = q[static_cast<std::size_t>(held.line)];
-    const std::size_t tangent = held.end == LineEnd::first ? 3 : at.size() - 3;
+    const auto line = static_cast<std::size_t>(held.line);
+    const double* tangent = q[line].data() + 6 * held_node(held, system.lines[line]) + 3;
     AttachmentState of_end;
-    of_end.guide = {Vec3(at[tangent], at[tangent + 1], at[tangent + 2]).norm(), 0.0, 0.0, 0.0};
+    of_end.guide = {Eigen::Map<const Vec3>(tangent).norm(), 0.0, 0.0, 0.0};
     state.attachments.push_back(of_end);
   }
   for (const int body : overbend::free_bodies(system)) {

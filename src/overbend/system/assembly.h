@@ -60,6 +60,8 @@ class Assembly {
   /// How many bodies are free: the size of SystemState::bodies.
   std::size_t free_bodies() const { return border_.count(); }
   const FreeBody& free_body(std::size_t number) const { return border_.body(number); }
+  /// Of the wires of the system, as the last evaluation left them.
+  const std::vector<WirePull>& wires() const { return border_.wires(); }
   /// Sections of a stinger on hinges, as the last evaluation left them.
   const HingedSections& hinged() const { return border_.hinged(); }
 

@@ -37,9 +37,9 @@ void add_contact_energy(const RollerContacts& rollers, InstantEnergy& now) {
   }
 }
 
-double end_power(const LineAssembly& line, const LineState& state, LineEnd end) {
-  const std::array<double, 6>& force = line.end_force(end);
-  const std::size_t first = 6 * static_cast<std::size_t>(line.end_node(end));
+double held_power(const LineAssembly& line, const LineState& state, int node) {
+  const std::array<double, 6>& force = line.held_force(node);
+  const std::size_t first = 6 * static_cast<std::size_t>(node);
   double sum = 0.0;
   for (std::size_t i = 0; i < force.size(); ++i) {
     sum += force[i] * state.v[first + i];
@@ -65,8 +65,8 @@ InstantEnergy Assembly::energy(const SystemState& state) const {
     now.line.strain += line.stored_by_yielding();
     now.bending_heat += at.bending_heat;
     add_contact_energy(line.contacts(), now);
-    now.anchor_power += end_power(line, at, LineEnd::first);
-    now.top_power += end_power(line, at, LineEnd::last);
+    now.anchor_power += held_power(line, at, line.end_node(LineEnd::first));
+    now.top_power += held_power(line, at, line.end_node(LineEnd::last));
   }
   add_winch_power(state, now);
   add_body_energy(state, now);
@@ -82,10 +82,11 @@ void Assembly::find_working_ends(const SystemState& state, std::vector<WorkingEn
     const LineAssembly& line = lines_[index];
     ends[i] = {};
     ends[i].last = held.end == LineEnd::last;
-    std::copy_n(state.lines[index].q.begin() + 6 * line.end_node(held.end), 6, ends[i].place.begin());
+    const int node = held_node(held, line.line());
+    std::copy_n(state.lines[index].q.begin() + 6 * node, 6, ends[i].place.begin());
     if (by_free_body) continue;
-    ends[i].force = line.end_force(held.end);
-    ends[i].power = end_power(line, state.lines[index], held.end);
+    ends[i].force = line.held_force(node);
+    ends[i].power = held_power(line, state.lines[index], node);
   }
 }
 
@@ -122,7 +123,7 @@ void Assembly::add_body_energy(const SystemState& state, InstantEnergy& now) con
       now.bodies.power += one.power;
     }
     for (const Attachment& held : system_->attachments) {
-      if (border_.number_of(held.body) == static_cast<int>(k)) {
+      if (held.end != LineEnd::inner && border_.number_of(held.body) == static_cast<int>(k)) {
         const std::size_t line = static_cast<std::size_t>(held.line);
         double& power = held.end == LineEnd::first ? now.anchor_power : now.top_power;
         power -= border_.power_of_end(held, lines_[line], state);

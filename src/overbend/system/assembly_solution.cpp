@@ -39,7 +39,7 @@ bool Assembly::renew_contacts(const SystemState& state, const Weights& weights) 
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     fresh_from_[i] = kNotFresh;
     if (lines_[i].contacts().count() == 0) continue;
-    if (border_.holds_first_end(static_cast<int>(i)) || !lines_[i].renew_contact_tangents(state.lines[i], weights)) {
+    if (border_.holds_before_last(static_cast<int>(i)) || !lines_[i].renew_contact_tangents(state.lines[i], weights)) {
       return false;
     }
     fresh_from_[i] = lines_[i].kept_from();
@@ -83,7 +83,7 @@ bool Assembly::factor_fresh(const SystemState& state, const Weights& weights) {
   }
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const std::size_t of = static_cast<std::size_t>(system_->attachments[i].line);
-    const int node = lines_[of].end_node(system_->attachments[i].end);
+    const int node = held_node(system_->attachments[i], system_->lines[of]);
     if (node >= fresh_from_[of]) lines_[of].hold(node, held_[i], true);
   }
   for (int i = 0; i < lines; ++i) {
@@ -95,7 +95,7 @@ bool Assembly::factor_fresh(const SystemState& state, const Weights& weights) {
 void Assembly::hold_attachment(std::size_t index, bool with_tangent) {
   const Attachment& attachment = system_->attachments[index];
   LineAssembly& line = lines_[static_cast<std::size_t>(attachment.line)];
-  line.hold(line.end_node(attachment.end), held_[index], with_tangent);
+  line.hold(held_node(attachment, line.line()), held_[index], with_tangent);
 }
 
 void Assembly::hold(bool with_tangent) {
@@ -206,7 +206,7 @@ bool Assembly::find_accelerations(SystemState& state) {
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const Attachment& held = system_->attachments[i];
     const std::size_t line = static_cast<std::size_t>(held.line);
-    const double* at = dq[line].data() + 6 * lines_[line].end_node(held.end);
+    const double* at = dq[line].data() + 6 * held_node(held, system_->lines[line]);
     const auto along = [&](const double* part) {
       return kMassDominates * surroundings_.ends[i].direction.dot(Vec3(Eigen::Map<const Vec3>(part)));
     };

@@ -73,6 +73,10 @@ BodyBorder::BodyBorder(const System& system)
     part.corner.assign(to_size(part.unknowns() * part.unknowns()), 0.0);
     lines_.push_back(std::move(part));
   }
+  for (const Wire& wire : system.wires) {
+    wire_ends_.push_back({WireEnd{number_of(wire.first_body)}, WireEnd{number_of(wire.second_body)}});
+  }
+  wires_.resize(system.wires.size());
 }
 
 std::vector<BorderedLine> BodyBorder::lines() const {
@@ -109,6 +113,57 @@ void BodyBorder::lead(const std::vector<HullState>& at, Surroundings& now) {
     const Attachment& attachment = system_->attachments[i];
     if (number_of(attachment.body) >= 0) {
       now.ends[i] = attached_to(now.bodies[to_size(attachment.body)], attachment.place, attachment.direction);
+    }
+  }
+  lead_wires(now);
+}
+
+void BodyBorder::lead_wires(const Surroundings& now) {
+  const auto place = [&](int body, const Vec3& at) {
+    return body == kGround ? at : point_motion(now.bodies[to_size(body)], at).place;
+  };
+  for (std::size_t i = 0; i < wire_ends_.size(); ++i) {
+    const Wire& wire = system_->wires[i];
+    wire_ends_[i][0].place = place(wire.first_body, wire.first);
+    wire_ends_[i][1].place = place(wire.second_body, wire.second);
+  }
+}
+
+void BodyBorder::add_wire_forces() {
+  for (std::size_t i = 0; i < wires_.size(); ++i) {
+    const std::array<WireEnd, 2>& ends = wire_ends_[i];
+    wires_[i] = wire_pull(system_->wires[i], ends[0].place, ends[1].place);
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (ends[end].number < 0) continue;
+      const BodyPose& pose = bodies_[to_size(ends[end].number)].pose;
+      const Vec3 force = end == 0 ? wires_[i].force : Vec3(-wires_[i].force);
+      Eigen::Map<Vec6>(residual_.data() + 6 * ends[end].number) -=
+          generalised_force(pose, ends[end].place - pose.place, force);
+    }
+  }
+}
+
+/// As a spring on each of its bodies, and by the place of the other.
+void BodyBorder::put_wires(BorderedSystem& solver) const {
+  for (std::size_t i = 0; i < wires_.size(); ++i) {
+    if (wires_[i].tension <= 0.0) continue;
+    for (std::size_t end = 0; end < 2; ++end) {
+      const WireEnd& at = wire_ends_[i][end];
+      if (at.number < 0) continue;
+      const BodyPose& pose = bodies_[to_size(at.number)].pose;
+      const Mat36 rows = point_rows(pose, at.place);
+      const Vec3 force = end == 0 ? wires_[i].force : Vec3(-wires_[i].force);
+      const auto add = [&](int number, const Mat6& part) {
+        for (int r = 0; r < 6; ++r) {
+          for (int c = 0; c < 6; ++c) solver.corner(6 * at.number + r, 6 * number + c) += part(r, c);
+        }
+      };
+      add(at.number,
+          rows.transpose() * wires_[i].stiffness * rows - generalised_force_slope(pose, at.place - pose.place, force));
+      const WireEnd& other = wire_ends_[i][1 - end];
+      if (other.number < 0) continue;
+      const Mat36 others = point_rows(bodies_[to_size(other.number)].pose, other.place);
+      add(other.number, -rows.transpose() * wires_[i].stiffness * others);
     }
   }
 }
@@ -159,6 +214,7 @@ void BodyBorder::evaluate(SystemState& state, const SystemState& before, const W
   if (!hinged_.empty()) {
     hinged_.evaluate(state.bodies, before.bodies, weights, with_tangent, residual_);
   }
+  add_wire_forces();
   for (const LineAssembly& line : lines) {
     add_contact_forces(line);
   }
@@ -267,7 +323,7 @@ void BodyBorder::put_end(const Attachment& held, const LineAssembly& line, const
   const int index = held.line, stride = solver.stride(index);
   const Place place = place_of(index, number_of(held.body));
   const HeldEnd end = held_end(held, line, state, *place.pose);
-  const EndBlocks blocks = end_blocks(line, held.end);
+  const Mat6 own = own_block(line, end.node);
   const bool met = solver.bordered(index, end.node);  // by contacts, or at the line's other end
   double* const columns = solver.columns(index, end.node);
   double* const rows = solver.rows(index, end.node);
@@ -281,11 +337,15 @@ void BodyBorder::put_end(const Attachment& held, const LineAssembly& line, const
       }
     }
   }
-  add_corner(place, end.motion.transpose() * blocks.own * end.motion + end.turning);
-  add_to_panel(columns, stride, place.first, blocks.own * end.motion + end.turned_force);
-  add_to_panel(rows, stride, place.first, blocks.own.transpose() * end.motion + end.turned_force);
-  add_to_panel(solver.columns(index, blocks.neighbour), stride, place.first, blocks.to_own * end.motion);
-  add_to_panel(solver.rows(index, blocks.neighbour), stride, place.first, blocks.from_own.transpose() * end.motion);
+  add_corner(place, end.motion.transpose() * own * end.motion + end.turning);
+  add_to_panel(columns, stride, place.first, own * end.motion + end.turned_force);
+  add_to_panel(rows, stride, place.first, own.transpose() * end.motion + end.turned_force);
+  const auto add_neighbour = [&](const NeighbourBlocks& blocks) {
+    add_to_panel(solver.columns(index, blocks.neighbour), stride, place.first, blocks.to_own * end.motion);
+    add_to_panel(solver.rows(index, blocks.neighbour), stride, place.first, blocks.from_own.transpose() * end.motion);
+  };
+  if (end.node > 0) add_neighbour(blocks_before(line, end.node));
+  if (end.node < line.line().mesh.nodes() - 1) add_neighbour(blocks_behind(line, end.node));
 }
 
 void BodyBorder::put_line(int index, const LineAssembly& line, const SystemState& state, const Weights& weights,
@@ -303,7 +363,7 @@ void BodyBorder::put_line(int index, const LineAssembly& line, const SystemState
     }
   }
   for (std::size_t i = 0; i < held.size(); ++i) {
-    const int node = line.end_node(system_->attachments[i].end);
+    const int node = held_node(system_->attachments[i], line.line());
     if (system_->attachments[i].line == index && solver.bordered(index, node)) {
       remove_held(held[i], solver.columns(index, node), solver.stride(index));
       remove_held(held[i], solver.rows(index, node), solver.stride(index));
@@ -326,6 +386,7 @@ void BodyBorder::put_corner(BorderedSystem& solver) const {
       }
     }
   }
+  put_wires(solver);
   for (const LinePart& part : lines_) {
     const int m = part.unknowns();
     for (int i = 0; i < m; ++i) {
@@ -337,9 +398,9 @@ void BodyBorder::put_corner(BorderedSystem& solver) const {
   }
 }
 
-bool BodyBorder::holds_first_end(int line) const {
+bool BodyBorder::holds_before_last(int line) const {
   return std::any_of(system_->attachments.begin(), system_->attachments.end(), [&](const Attachment& a) {
-    return a.line == line && a.end == LineEnd::first && number_of(a.body) >= 0;
+    return a.line == line && a.end != LineEnd::last && number_of(a.body) >= 0;
   });
 }
 

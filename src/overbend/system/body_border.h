@@ -6,6 +6,7 @@
 /// it changes with the pipe (objectivity). See docs/theory/coupling.md.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "numerics/bordered_system.h"
@@ -13,6 +14,7 @@
 #include "system/hinged_sections.h"
 #include "system/line_assembly.h"
 #include "system/system.h"
+#include "system/wire.h"
 
 namespace overbend {
 
@@ -36,6 +38,8 @@ class BodyBorder {
   const HullBalance& balance(std::size_t number) const { return bodies_[number].own; }
   /// Those of the bodies that are sections of a stinger on hinges.
   const HingedSections& hinged() const { return hinged_; }
+  /// Of the wires of the system, at the state evaluated last.
+  const std::vector<WirePull>& wires() const { return wires_; }
 
   /// Brings free bodies and the ends they hold to a state.
   void lead(const std::vector<HullState>& at, Surroundings& now);
@@ -52,8 +56,9 @@ class BodyBorder {
                 const std::vector<HeldDirections>& held, BorderedSystem& solver);
   /// Sums up the corner: the bodies themselves and the parts that put_line() found.
   void put_corner(BorderedSystem& solver) const;
-  /// Whether a body holds the first end of a line, beside which contacts cannot be renewed alone.
-  bool holds_first_end(int line) const;
+  /// Whether a body holds the first end of a line or a node between its ends, beside which contacts cannot be renewed
+  /// alone.
+  bool holds_before_last(int line) const;
 
   /// A held freedom stays where it is, and does not count among the unbalanced.
   void hold(int body, int freedom, bool held);
@@ -86,6 +91,15 @@ class BodyBorder {
     const BodyPose* pose = nullptr;
   };
 
+  /// An end of a wire: the free body that it is on, or where it is led [m].
+  struct WireEnd {
+    int number = -1;
+    Vec3 place = Vec3::Zero();
+  };
+
+  void lead_wires(const Surroundings& now);
+  void add_wire_forces();
+  void put_wires(BorderedSystem& solver) const;
   Place place_of(int line, int number) const;
   void add_contact_forces(const LineAssembly& line);
   void add_end_force(const Attachment& held, const LineAssembly& line, const LineState& state);
@@ -102,6 +116,8 @@ class BodyBorder {
   std::vector<LinePart> lines_;
   std::vector<double> residual_;
   HingedSections hinged_;
+  std::vector<std::array<WireEnd, 2>> wire_ends_;
+  std::vector<WirePull> wires_;
 };
 
 }  // namespace overbend

@@ -39,6 +39,15 @@ FreeBody free_hull(const Hull& hull, double line_weight, double length) {
   return body;
 }
 
+FreeBody free_point(const Vec3& place, double force_scale) {
+  FreeBody body;
+  body.force_scale = force_scale;
+  body.inertia = Vec6::Zero();
+  body.rest.h.head<3>() = place;
+  body.balance = [](const HullState&, const HullState&, const Weights&, double, HullBalance& out) { out = {}; };
+  return body;
+}
+
 void add_springs(const FreeBody& body, const HullState& before, double time, HullState& at, HullBalance& out) {
   const BodyPose pose = pose_of(at.h);
   at.lines.resize(body.springs.size());

@@ -76,6 +76,10 @@ struct FreeBody {
 /// lines it holds, but at least a thousandth of its own; `length` [m].
 FreeBody free_hull(const Hull& hull, double line_weight, double length);
 
+/// A point without mass where lines and wires meet: it rests where their forces balance, which are measured against
+/// `force_scale` [N]. Whoever turns it holds the other freedoms.
+FreeBody free_point(const Vec3& place, double force_scale);
+
 /// Adds what a body's springs do to its balance at a time: J^T force, its tangent exact as far as the spring's is.
 /// `at.lines` receives the forces of lines, sought from those of `before`.
 void add_springs(const FreeBody& body, const HullState& before, double time, HullState& at, HullBalance& out);

@@ -16,9 +16,10 @@ Mat6 block(const double* rows) {
 }  // namespace
 
 Vec6 held_end_force(const Attachment& held, const LineAssembly& line, const LineState& state, const BodyPose& pose) {
-  const double* q = state.q.data() + 6 * line.end_node(held.end);
+  const int node = held_node(held, line.line());
+  const double* q = state.q.data() + 6 * node;
   const Vec3 r = Eigen::Map<const Vec3>(q), t = Eigen::Map<const Vec3>(q + 3);
-  const std::array<double, 6>& all = line.end_force(held.end);
+  const std::array<double, 6>& all = line.held_force(node);
   Vec6 sum = Vec6::Zero();
   if (held.hold_place) {
     sum += point_rows(pose, r).transpose() * Eigen::Map<const Vec3>(all.data());
@@ -31,10 +32,10 @@ Vec6 held_end_force(const Attachment& held, const LineAssembly& line, const Line
 
 HeldEnd held_end(const Attachment& held, const LineAssembly& line, const LineState& state, const BodyPose& pose) {
   HeldEnd end;
-  end.node = line.end_node(held.end);
+  end.node = held_node(held, line.line());
   const double* q = state.q.data() + 6 * end.node;
   const Vec3 r = Eigen::Map<const Vec3>(q), t = Eigen::Map<const Vec3>(q + 3);
-  const Vec6 all = Eigen::Map<const Vec6>(line.end_force(held.end).data());
+  const Vec6 all = Eigen::Map<const Vec6>(line.held_force(end.node).data());
   const Mat3& e = pose.E;
   const auto hold = [&](int first, const Eigen::Matrix<double, 3, 6>& rows, const Vec3& arm) {
     const Vec3 force = all.segment<3>(first);
@@ -52,13 +53,18 @@ HeldEnd held_end(const Attachment& held, const LineAssembly& line, const LineSta
   return end;
 }
 
-EndBlocks end_blocks(const LineAssembly& line, LineEnd end) {
+Mat6 own_block(const LineAssembly& line, int node) {
+  return block(line.tangent().diag(node));
+}
+
+NeighbourBlocks blocks_before(const LineAssembly& line, int node) {
   const BlockTridiagonal& k = line.tangent();
-  const int node = line.end_node(end);
-  if (end == LineEnd::first) {
-    return {1, block(k.diag(0)), block(k.lower(0)), block(k.upper(0))};
-  }
-  return {node - 1, block(k.diag(node)), block(k.upper(node - 1)), block(k.lower(node - 1))};
+  return {node - 1, block(k.upper(node - 1)), block(k.lower(node - 1))};
+}
+
+NeighbourBlocks blocks_behind(const LineAssembly& line, int node) {
+  const BlockTridiagonal& k = line.tangent();
+  return {node + 1, block(k.lower(node)), block(k.upper(node))};
 }
 
 ContactBorder contact_border(const BodyPose& pose, const ElementVector& q, const ElementVector& residual,

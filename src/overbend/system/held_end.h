@@ -21,12 +21,15 @@ HeldEnd held_end(const Attachment& held, const LineAssembly& line, const LineSta
 /// E^T force, force the residual of the held unknowns: what they exert on the body, with minus.
 Vec6 held_end_force(const Attachment& held, const LineAssembly& line, const LineState& state, const BodyPose& pose);
 
-/// Blocks beside an end of a line, as they stand in the tangent.
-struct EndBlocks {
+/// Blocks of the tangent between a node and one of its neighbours.
+struct NeighbourBlocks {
   int neighbour = 0;
-  Mat6 own, to_own, from_own;  ///< Of the node; rows of the neighbour by the node; rows of the node by the neighbour.
+  Mat6 to_own, from_own;  ///< Rows of the neighbour by the node; rows of the node by the neighbour.
 };
-EndBlocks end_blocks(const LineAssembly& line, LineEnd end);
+Mat6 own_block(const LineAssembly& line, int node);
+/// With the node before, which there has to be; with the node behind.
+NeighbourBlocks blocks_before(const LineAssembly& line, int node);
+NeighbourBlocks blocks_behind(const LineAssembly& line, int node);
 
 /// What a contact between a line's element and a body adds to the border.
 struct ContactBorder {

@@ -12,7 +12,8 @@
 
 namespace overbend {
 
-enum class LineEnd { first, last };  ///< Of a pipe: at the anchor, at the tensioner.
+/// Of a pipe: at the anchor, at the tensioner. `inner`: a node between them.
+enum class LineEnd { first, last, inner };
 
 /// What a line is to the analysis.
 enum class LineRole {

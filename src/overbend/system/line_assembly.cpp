@@ -18,6 +18,7 @@ LineAssembly::LineAssembly(const Line& line, const std::vector<Body>& bodies, Bl
       moving_yielding_(line.yielding, line.mesh),
       residual_(6 * static_cast<std::size_t>(line.mesh.nodes())),
       cuts_(residual_.size()),
+      kept_{{0}, {line.mesh.nodes() - 1}},
       tangent_(&tangent) {
   for (int node = 0; node < line.mesh.nodes(); ++node) {
     const double h = line.mesh.shortest_beside(node);
@@ -88,9 +89,12 @@ LineTarget LineAssembly::target(bool with_tangent) {
   return {residual_.data(), tangent_->diag(0), tangent_->upper(0), tangent_->lower(0), cuts_.data()};
 }
 
-void LineAssembly::keep_ends() {
-  std::copy_n(residual_.begin(), 6, first_.begin());
-  std::copy_n(residual_.end() - 6, 6, last_.begin());
+void LineAssembly::keep_forces() {
+  for (HeldForce& held : kept_) std::copy_n(residual_.begin() + 6 * held.node, 6, held.force.begin());
+}
+
+const std::array<double, 6>& LineAssembly::held_force(int node) const {
+  return std::ranges::find(kept_, node, &HeldForce::node)->force;
 }
 
 std::vector<RollerPush> LineAssembly::roller_pushes(const LineState& state) const {
@@ -126,7 +130,7 @@ void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, cons
   }
   add_point_forces(line_->points, environment_, state.q.data(), {}, residual_.data(),
                    with_tangent ? tangent_ : nullptr);
-  keep_ends();
+  keep_forces();
   if (with_tangent) {
     contacts_.add_tangent(state.q.data(), {}, *tangent_);
   }
@@ -170,7 +174,7 @@ void LineAssembly::evaluate(LineState& state, const LineState& before, const Wei
                    with_tangent ? tangent_ : nullptr);
   contacts_.evaluate(state.q.data(), state.v.data(), weights, before.contacts, state.contacts, contacts,
                      {residual_, cuts_});
-  keep_ends();
+  keep_forces();
   if (with_tangent) {
     if (without_contacts_.nodes() == 0) {  // at rest there is no need for it
       without_contacts_.resize(line_->mesh.nodes());

@@ -84,16 +84,25 @@ class LineAssembly {
   /// Removes the held directions of a node from the residual and, where asked, from the blocks.
   void hold(int node, const HeldDirections& held, bool blocks);
   Unbalance unbalance() const;
+  /// Of the first or the last end.
   int end_node(LineEnd end) const { return end == LineEnd::first ? 0 : line_->mesh.nodes() - 1; }
-  /// Force on an end by what holds it, with its moment, before hold().
-  const std::array<double, 6>& end_force(LineEnd end) const { return end == LineEnd::first ? first_ : last_; }
+  /// Force on it by what holds it, with its moment, before hold().
+  const std::array<double, 6>& end_force(LineEnd end) const { return kept_[end == LineEnd::first ? 0 : 1].force; }
+  /// The same of a node that is an end, or whose force is kept.
+  const std::array<double, 6>& held_force(int node) const;
+  /// From here on the force on a node between the ends is kept as theirs is.
+  void keep_force(int node) { kept_.push_back({node}); }
 
   LineMotion motion_of(const LineState& state, const LineState& before, const Weights& weights,
                        const std::vector<double>& water, double* next_slip) const;
 
  private:
+  struct HeldForce {
+    int node = 0;
+    std::array<double, 6> force{};
+  };
   LineTarget target(bool with_tangent);
-  void keep_ends();
+  void keep_forces();
 
   const Line* line_;
   LineEnvironment environment_;               ///< As the continuation has it.
@@ -107,8 +116,8 @@ class LineAssembly {
   MovingYielding moving_yielding_;
   bool begins_ = true;  ///< A step is, whose start has not been looked at.
   std::vector<double> residual_, cuts_;
-  std::vector<double> by_moments_;  ///< Squared moments over the shortest element at a node become forces [1/m2].
-  std::array<double, 6> first_{}, last_{};
+  std::vector<double> by_moments_;    ///< Squared moments over the shortest element at a node become forces [1/m2].
+  std::vector<HeldForce> kept_;       ///< Of the first end, of the last, of nodes between them.
   std::optional<LineEnergy> energy_;  ///< Of the last evaluation, where it was made there.
   BlockTridiagonal* tangent_;
   BlockTridiagonal without_contacts_;  ///< From node `kept_from_` on, in motion.

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mechanics/roller_rub.h"
@@ -22,8 +23,10 @@ inline constexpr int kGround = -1;  ///< In place of a body: the world.
 struct Attachment {
   int line = 0;
   LineEnd end = LineEnd::first;
+  int node = 0;  ///< Of an inner one.
   bool hold_place = false;
-  bool hold_direction = false;  ///< The tangent keeps the guide's direction; its length stays free.
+  std::optional<Vec3> free_along;  ///< Of a held place: the unit vector (W) along which it may move all the same.
+  bool hold_direction = false;     ///< The tangent keeps the guide's direction; its length stays free.
   int body = kGround;
   Vec3 place = Vec3::Zero(), direction = Vec3::UnitX();  ///< In the body's frame; W on the ground [m].
   std::optional<TensionerLaw> tensioner;  ///< That moves the end along the guide, where it is held by one.
@@ -31,6 +34,21 @@ struct Attachment {
   /// Of an anchor on the ground: more than this drags it along the line [N].
   double holding = std::numeric_limits<double>::infinity();
   double parts_at = std::numeric_limits<double>::infinity();  ///< Lets the line go then [s].
+};
+
+/// The node of a line that an attachment holds.
+inline int held_node(const Attachment& held, const Line& line) {
+  if (held.end == LineEnd::inner) return held.node;
+  return held.end == LineEnd::first ? 0 : line.mesh.nodes() - 1;
+}
+
+/// A straight wire without weight between two points of bodies or of the ground. It bears tension alone.
+struct Wire {
+  std::string name;
+  int first_body = kGround, second_body = kGround;
+  Vec3 first = Vec3::Zero(), second = Vec3::Zero();  ///< In the frames of the bodies; W on the ground [m].
+  double length = 0.0;                               ///< Unstressed [m].
+  double axial_stiffness = 0.0;                      ///< EA [N]
 };
 
 /// Motion of an attachment: place and direction of the guide with their rates, W.
@@ -55,6 +73,7 @@ struct System {
   std::vector<Line> lines;
   std::vector<Body> bodies;
   std::vector<Attachment> attachments;
+  std::vector<Wire> wires;
   std::vector<int> far_forces;  ///< Lines whose first end slides under a force of unknown size, LineState::far_force.
   double build_up = 0.0;        ///< Before t = 0, over which the tensioner is brought in [s].
   RollerRub rub;                ///< Friction of the rollers at rest, from which a run starts.

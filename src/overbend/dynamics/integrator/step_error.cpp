@@ -65,7 +65,7 @@ double StepError::operator()(Assembly& assembly, const SystemState& now, const S
   }
   for (const Attachment& held : assembly.system().attachments) {
     const std::size_t line = static_cast<std::size_t>(held.line);
-    const auto node = dq[line].begin() + 6 * assembly.line(line).end_node(held.end);
+    const auto node = dq[line].begin() + 6 * held_node(held, assembly.line(line).line());
     std::fill_n(node, held.hold_place ? 6 : 0, 0.0);
   }
   for (std::size_t i = 0; i < next.bodies.size(); ++i) {

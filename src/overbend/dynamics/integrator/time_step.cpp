@@ -90,7 +90,7 @@ void TimeStepper::correct(SystemState& next, double h) const {
     const Attachment& held = system.attachments[i];
     const std::size_t line = static_cast<std::size_t>(held.line);
     const Vec3& direction = assembly_->surroundings().ends[i].direction;
-    const double* dq = dq_[line].data() + 6 * assembly_->line(line).end_node(held.end);
+    const double* dq = dq_[line].data() + 6 * held_node(held, system.lines[line]);
     correct_values(next.attachments[i].guide, direction, dq + 3);
     if (system.attachments[i].tensioner && next.attachments[i].machine.drive == TensionerDrive::governor) {
       correct_values(next.attachments[i].travel, -direction, dq);

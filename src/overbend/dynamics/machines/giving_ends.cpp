@@ -72,7 +72,7 @@ Vec3 course(const LineState& line) {
 }  // namespace
 
 double tension_to_take(const Attachment& held, const LineAssembly& line) {
-  const std::array<double, 6>& force = line.end_force(held.end);
+  const std::array<double, 6>& force = line.held_force(held_node(held, line.line()));
   if (held.winch) {
     return Vec3(force[0], force[1], force[2]).norm();
   }

@@ -191,7 +191,7 @@ void Equilibrium::advance(SystemState& to, const SystemState& from, const Increm
   for (std::size_t i = 0; i < to.attachments.size(); ++i) {
     const Attachment& held = assembly_->system().attachments[i];
     const auto line = static_cast<std::size_t>(held.line);
-    const double* part = dq[line].data() + 6 * assembly_->line(line).end_node(held.end);
+    const double* part = dq[line].data() + 6 * held_node(held, assembly_->system().lines[line]);
     const auto along = [&](const double* d) { return share * directions_[i].dot(Vec3(Eigen::Map<const Vec3>(d))); };
     move_by(to.attachments[i].guide, along(part + 3), laid.attachments[i].guide.q, rate);
     if (!held.tensioner) continue;
