@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "base/shown_unit.h"
@@ -51,9 +52,33 @@ std::string worst_words(const CheckTable& checks) {
   return worst != nullptr ? fmt::format("{:.2f} {}", worst->utilisation, worst->name) : std::string("-");
 }
 
+/// Of a lift: where ends are, what pipe and davits bear.
+std::string lift_line(const StageResult& stage) {
+  const LiftResults& lift = *stage.lay->lift;
+  double moment = 0.0, stress = 0.0, tension = 0.0;
+  std::optional<double> height;
+  for (const LiftedLine& line : lift.lines) {
+    moment = std::max(moment, line.bending.value);
+    stress = std::max(stress, line.bending_stress);
+    if (!height && (line.first.free || line.second.free))
+      height = (line.first.free ? line.first : line.second).at.place.z();
+  }
+  for (const LiftedWire& wire : lift.davits) tension = std::max(tension, wire.tension_upper);
+  return fmt::format("  {:<26}", for_display(stage.stage.name, 25)) + cell(height, shown_unit("m"), 2, 11) +
+         cell(moment, shown_unit("N m"), 1, 12) + cell(stress, shown_unit("Pa"), 1, 10) +
+         cell(tension, shown_unit("N"), 1, 12) + "  " + worst_words(stage.lay->checks) + "\n";
+}
+
+std::string lift_heads() {
+  return fmt::format("  {:<26}{:>11}{:>12}{:>10}{:>12}  {}\n  {:<26}{:>11}{:>12}{:>10}{:>12}\n", "stage", "free end, z",
+                     "moment", "stress", "davit", "largest utilisation", "", shown_name("m"), shown_name("N m"),
+                     shown_name("Pa"), shown_name("N"));
+}
+
 }  // namespace
 
 std::string stage_heads(OperationType type) {
+  if (type == OperationType::lift) return lift_heads();
   const bool ballast = type == OperationType::ballast;
   return fmt::format("  {:<20}{:>11}{:>10}{:>12}{:>10}{:>10}{:>11}  {}\n  {:<20}{:>11}{:>10}{:>12}{:>10}{:>10}{:>11}\n",
                      "stage", progress_words(type), "tension", ballast ? "stinger" : "head depth", "sagbend", "strain",
@@ -72,6 +97,7 @@ std::string stage_line(const StageResult& stage) {
     if (failure.least_tension) line += "; it can be with " + shown(*failure.least_tension, "N", 1);
     return line + "\n";
   }
+  if (stage.lay->lift) return lift_line(stage);
   const StaticResults& lay = *stage.lay;
   const std::optional<double> depth = lay.head ? std::optional(-lay.head->p_W.z()) : std::nullopt;
   const bool tank = stage.stage.tank_weight || stage.stage.tank_ballast;

@@ -8,8 +8,6 @@
 namespace overbend {
 namespace {
 
-constexpr double kStressShare = 0.87;  ///< Of f_y, for the equivalent stress in the sagbend (ST-F101 sec. 13).
-
 void find_strength(CheckSection& out, const SteelDescription& steel, const CheckSettings& settings) {
   out.smys = steel.yield_stress;
   if (steel.tensile_strength) {

@@ -14,6 +14,9 @@
 
 namespace overbend {
 
+/// Of f_y, for the equivalent stress in the sagbend (ST-F101 sec. 13) and of lifted pipe.
+inline constexpr double kStressShare = 0.87;
+
 struct CheckSection {
   std::string name;           ///< As in Model::sections.
   bool cable = false;         ///< A cable: no code for pipes is about it.

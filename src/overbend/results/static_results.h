@@ -15,6 +15,7 @@
 #include "results/check_results.h"
 #include "results/ground_results.h"
 #include "results/hull_results.h"
+#include "results/lift_results.h"
 #include "results/line_results.h"
 #include "results/mooring_results.h"
 #include "results/stinger_results.h"
@@ -270,6 +271,7 @@ struct StaticResults {
   std::vector<RollerFrictionCase> roller_friction;  ///< Where rollers have friction: the limits and the way of laying.
 
   std::optional<HullResults> hull;         ///< Of a hull with hydrodynamic coefficients.
+  std::optional<LiftResults> lift;         ///< Of lines that hold each other.
   std::vector<LineResult> lines;           ///< That stand by themselves.
   std::optional<MooringResults> moorings;  ///< Of a vessel on mooring lines: where it lies, and the lines.
 

@@ -77,6 +77,10 @@ Assembly::Assembly(const System& system)
   }
   for (const int body : overbend::free_bodies(system)) {
     hold_hinged(body);
+    for (int freedom = 0; freedom < 6; ++freedom) {
+      const bool held = system.bodies[static_cast<std::size_t>(body)].free->held[static_cast<std::size_t>(freedom)];
+      if (held) hold_body(body, freedom, true);
+    }
   }
   surroundings_.bodies.resize(system.bodies.size());
   surroundings_.ends.resize(system.attachments.size());

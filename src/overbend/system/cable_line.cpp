@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mechanics/element_constants.h"
+#include "model/pipe/section.h"
 
 namespace overbend {
 namespace {
@@ -23,6 +24,22 @@ int segment_at(const CableParts& parts, double s) {
   return static_cast<int>(parts.segments.size()) - 1;
 }
 
+/// Of pipe: its bending takes up what happens at a node, and needs no joint there.
+std::vector<double> fixed_places_of_pipe(const CableParts& parts) {
+  constexpr double kClosest = 0.02;  // [m]
+  std::vector<double> places = parts.attached;
+  double at = 0.0;
+  for (const LineSegmentDescription& segment : parts.segments) places.push_back(at += segment.length.value());
+  for (const LinePointDescription& point : parts.points) places.push_back(point.at);
+  std::sort(places.begin(), places.end());
+  std::vector<double> fixed;
+  for (const double place : places) {
+    if (place > (fixed.empty() ? 0.0 : fixed.back()) + kClosest && place < at - kClosest) fixed.push_back(place);
+  }
+  fixed.push_back(at);
+  return fixed;
+}
+
 /// Ends of segments and places of points, rising, the end of the line last. Neighbouring elements share the tangent of
 /// their node. A tiny one beside each place takes up the angle that a weight makes there, and the step of the stretch
 /// where the stiffness changes: on the softer side, which takes the stretch of the other with the smaller force.
@@ -31,6 +48,7 @@ std::vector<double> fixed_places(const CableParts& parts) {
   double at = 0.0;
   for (const LineSegmentDescription& segment : parts.segments) places.push_back(at += segment.length.value());
   for (const LinePointDescription& point : parts.points) places.push_back(point.at);
+  places.insert(places.end(), parts.attached.begin(), parts.attached.end());
   std::sort(places.begin(), places.end());
   const double end = at, closest = kClosestNodes * end, joint = kJoint * end;
   const auto stiffness = [&](double s) {
@@ -63,6 +81,12 @@ void put(double (&out)[3], const Vec3& v) {
   for (int i = 0; i < 3; ++i) out[i] = v(i);
 }
 
+ElementConstants segment_constants(const Model& model, const LineSegmentDescription& segment) {
+  if (!segment.section) return cable_constants(model, segment.type);
+  const double water = model.description.environment.water_weight_density;
+  return pipe_constants(model, derive_section(segment.name, *segment.section, water));
+}
+
 double longest_element(const CableParts& parts, const CableMesh& wanted) {
   return wanted.element.value_or(kLongestShare * parts.length());
 }
@@ -73,6 +97,25 @@ double CableParts::length() const {
   double sum = 0.0;
   for (const LineSegmentDescription& segment : segments) sum += segment.length.value();
   return sum;
+}
+
+bool CableParts::has_pipe() const {
+  return std::ranges::any_of(segments, [](const auto& segment) { return segment.section.has_value(); });
+}
+
+int node_at(const LineMesh& mesh, double s) {
+  return nearest_node(mesh, s);
+}
+
+double pipe_element(const Model& model, const CableParts& parts) {
+  constexpr double kShare = 1.0 / 6.0, kMost = 3000.0;
+  double shortest = kLongestShare * parts.length();
+  for (const LineSegmentDescription& segment : parts.segments) {
+    if (!segment.section) continue;
+    const double EI = segment_constants(model, segment).EI;
+    shortest = std::min(shortest, kShare * std::pow(4.0 * EI / std::max(model.seabed.stiffness, 1.0), 0.25));
+  }
+  return std::max(shortest, parts.length() / kMost);
 }
 
 FineStretch stretch_at_touchdown(const CableParts& parts, const CableMesh& wanted, double at) {
@@ -86,7 +129,7 @@ LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted) {
   plan.longest = longest_element(parts, wanted);
   plan.fine = wanted.fine;
   if (wanted.touchdown) plan.fine.push_back(stretch_at_touchdown(parts, wanted, *wanted.touchdown));
-  plan.fixed = fixed_places(parts);
+  plan.fixed = parts.has_pipe() ? fixed_places_of_pipe(parts) : fixed_places(parts);
   LineMesh mesh;
   mesh.s = graded_nodes(plan);
   const double before_end = plan.fixed.size() > 1 ? plan.fixed[plan.fixed.size() - 2] : 0.0;
@@ -116,19 +159,20 @@ LineEnvironment cable_environment(const Model& model, const CableParts& parts, c
   std::optional<double> friction;
   for (const LineSegmentDescription& segment : parts.segments) {
     heaviest = std::max(heaviest, std::abs(segment.type.weight_submerged));
-    thickest = std::max(thickest, cable_constants(model, segment.type).radius);
+    thickest = std::max(thickest, segment_constants(model, segment).radius);
     if (segment.type.friction) friction = std::max(friction.value_or(0.0), *segment.type.friction);
   }
   LineEnvironment env;
   put(env.bed_normal, normal);
   put(env.route_normal, across);
   put(env.bed_along, bed.along(from, ahead));
-  env.bed_offset = bed.offset() - thickest;
+  const double lowered = parts.has_pipe() ? 0.0 : thickest;
+  env.bed_offset = bed.offset() - lowered;
   set_shape(env, bed);
-  env.bed_lowered = thickest;
+  env.bed_lowered = lowered;
   env.route_offset = across.dot(from);
-  const double soil = soil_under(model, 2.0 * thickest);
-  env.bed_stiffness = std::max(soil, heaviest / kBedSink);
+  const double soil = parts.has_pipe() ? model.seabed.stiffness : soil_under(model, 2.0 * thickest);
+  env.bed_stiffness = parts.has_pipe() ? soil : std::max(soil, heaviest / kBedSink);
   env.bed_stick = soil > 0.0 ? soil : env.bed_stiffness;
   env.bed_friction_lateral = friction.value_or(model.seabed.friction_lateral);
   env.bed_friction_axial = friction.value_or(model.seabed.friction_axial);
@@ -162,7 +206,7 @@ int node_of_point(const LineMesh& mesh, double s) {
 Line cable_line(const Model& model, const CableParts& parts, const CableMesh& mesh, const Vec3& from, const Vec3& to) {
   std::vector<ElementConstants> constants;
   for (const LineSegmentDescription& segment : parts.segments) {
-    constants.push_back(cable_constants(model, segment.type));
+    constants.push_back(segment_constants(model, segment));
   }
   Line line;
   line.mesh = cable_mesh(parts, mesh);
@@ -170,12 +214,19 @@ Line cable_line(const Model& model, const CableParts& parts, const CableMesh& me
   line.environment = cable_environment(model, parts, from, to);
   line.on_rollers = false;
   line.force_scale = weight_from(line.mesh, line.elements, 0.0);
-  let_joints_turn(line);
+  if (!parts.has_pipe()) let_joints_turn(line);
   for (const LinePointDescription& point : parts.points) {
     line.points.push_back(line_point(model, point, node_of_point(line.mesh, point.at)));
     line.force_scale += line.points.back().weight;
   }
   return line;
+}
+
+void set_length(Line& line, double length) {
+  const double share = length / line.mesh.total_length();
+  for (double& s : line.mesh.s) s *= share;
+  for (double& element : line.mesh.length) element *= share;
+  for (double& element : line.elements.length) element *= share;
 }
 
 }  // namespace overbend

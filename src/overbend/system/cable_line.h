@@ -1,4 +1,4 @@
-/// A cable, chain or flexible as a line of the system: by its segments' numbers, with clumps and buoys at its nodes,
+/// A cable, chain, flexible or pipe as a line of the system: by its segments, with clumps and buoys at its nodes,
 /// without rollers and without yielding. One way for mooring lines and for lines that stand by themselves.
 #pragma once
 
@@ -16,7 +16,9 @@ namespace overbend {
 struct CableParts {
   std::vector<LineSegmentDescription> segments;
   std::vector<LinePointDescription> points;
-  double length() const;  ///< Unstressed [m].
+  std::vector<double> attached = {};  ///< Arc lengths at which other lines are attached [m].
+  double length() const;              ///< Unstressed [m].
+  bool has_pipe() const;
 };
 
 /// What the mesh of a cable is made for.
@@ -26,6 +28,12 @@ struct CableMesh {
   double last = 0.0;                   ///< The last element at least so long, if nothing of the line ends there [m].
   std::vector<FineStretch> fine = {};  ///< Where shorter elements are wanted besides, as where waves are felt.
 };
+
+/// The node at an arc length that the mesh was made for.
+int node_at(const LineMesh& mesh, double s);
+/// Element that shows how pipe lays itself on the bed: a sixth of the length over which its bending dies away there,
+/// (4 EI / k)^(1/4) (Hetenyi 1946) [m].
+double pipe_element(const Model& model, const CableParts& parts);
 
 /// The rule: elements of a twentieth of the length, down to a fortieth within a tenth of the length around touchdown
 /// and to what else is wanted; nodes on the ends of segments and at points, a joint of a hundred-thousandth behind
@@ -39,11 +47,14 @@ FineStretch stretch_at_touchdown(const CableParts& parts, const CableMesh& wante
 /// but never so soft that the cable sinks into it by more than a centimetre. Its friction holds along the line from
 /// place to place and across it, by a stick as stiff as the model says of the bed: of that hangs how much of a swing in
 /// tension reaches the anchor. The axis of the cable, not its underside, rests at the height of the bed, as in a
-/// catenary; thinner parts of one of several thicknesses lie by the difference of their radii deeper. Points into
-/// `model`, which must outlive it.
+/// catenary; thinner parts of one of several thicknesses lie by the difference of their radii deeper. Pipe lies on its
+/// underside, and its bed is as stiff as the model says. Points into `model`, which must outlive it.
 LineEnvironment cable_environment(const Model& model, const CableParts& parts, const Vec3& from, const Vec3& to);
 
 /// The line, for a course from `from` to `to`. Its force scale is its weight in air with that of its points.
 Line cable_line(const Model& model, const CableParts& parts, const CableMesh& mesh, const Vec3& from, const Vec3& to);
+
+/// Gives a line another unstressed length, every element its share of it [m].
+void set_length(Line& line, double length);
 
 }  // namespace overbend

@@ -43,6 +43,7 @@ FreeBody free_point(const Vec3& place, double force_scale) {
   FreeBody body;
   body.force_scale = force_scale;
   body.inertia = Vec6::Zero();
+  body.held = {false, false, false, true, true, true};
   body.rest.h.head<3>() = place;
   body.balance = [](const HullState&, const HullState&, const Weights&, double, HullBalance& out) { out = {}; };
   return body;

@@ -1,6 +1,7 @@
 /// A rigid body that moves as the forces on it ask: six unknowns, shared by all lines that touch it.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -61,6 +62,7 @@ struct FreeBody {
   std::vector<BodySpring> springs;  ///< Quasi-static lines.
   HullState rest;                   ///< There, its memories of their sizes.
   std::optional<HingedBody> hinge;  ///< Of a body that hangs on another: its angle alone is free.
+  std::array<bool, 6> held{};       ///< Coordinates that stay as they are.
 
   /// Balance of the body by itself, as balance_hull().
   std::function<void(const HullState& at, const HullState& before, const Weights& weights, double time,
@@ -77,7 +79,7 @@ struct FreeBody {
 FreeBody free_hull(const Hull& hull, double line_weight, double length);
 
 /// A point without mass where lines and wires meet: it rests where their forces balance, which are measured against
-/// `force_scale` [N]. Whoever turns it holds the other freedoms.
+/// `force_scale` [N]. It does not turn.
 FreeBody free_point(const Vec3& place, double force_scale);
 
 /// Adds what a body's springs do to its balance at a time: J^T force, its tangent exact as far as the spring's is.

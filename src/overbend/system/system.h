@@ -49,6 +49,7 @@ struct Wire {
   Vec3 first = Vec3::Zero(), second = Vec3::Zero();  ///< In the frames of the bodies; W on the ground [m].
   double length = 0.0;                               ///< Unstressed [m].
   double axial_stiffness = 0.0;                      ///< EA [N]
+  std::optional<double> held_tension;                ///< By a winch that gives it what length that needs [N].
 };
 
 /// Motion of an attachment: place and direction of the guide with their rates, W.

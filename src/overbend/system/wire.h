@@ -16,7 +16,7 @@ struct WirePull {
   Mat3 stiffness = Mat3::Zero();  ///< d force / d place of the second end [N/m].
 };
 
-/// T = EA (span - length) / length where that is positive.
+/// T = EA (span - length) / length where that is positive, or what its winch holds.
 WirePull wire_pull(const Wire& wire, const Vec3& first, const Vec3& second);
 
 }  // namespace overbend

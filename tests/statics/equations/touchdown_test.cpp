@@ -36,7 +36,7 @@ struct Arc {
 TEST(touchdown, is_where_the_underside_of_an_arc_meets_the_bed) {
   const Arc arc;
   const StaticSystem system(arc.model, arc.model.mean_pose, arc.mesh);
-  const std::optional<LinePlace> place = find_touchdown(system, arc.state);
+  const std::optional<ElementPlace> place = find_touchdown(system, arc.state);
   ASSERT_TRUE(place);
   const double off = std::acos(1.0 - 1e-3 / Arc::kRadius) * Arc::kRadius;  // the arc has risen by that millimetre
   EXPECT_NEAR(place->s, Arc::kStart + off, 0.02);                          // the cubic between nodes is no circle
@@ -46,7 +46,7 @@ TEST(touchdown, is_where_the_underside_of_an_arc_meets_the_bed) {
 TEST(touchdown, the_waterline_is_where_the_axis_goes_under) {
   const Arc arc;
   const StaticSystem system(arc.model, arc.model.mean_pose, arc.mesh);
-  const std::optional<LinePlace> place = find_waterline(system, arc.state);
+  const std::optional<ElementPlace> place = find_waterline(system, arc.state);
   ASSERT_TRUE(place);
   const double rise = Arc::kDepth - arc.model.sections.front().outer_radius() + 1e-3;
   EXPECT_NEAR(place->s, Arc::kStart + Arc::kRadius * std::acos(1.0 - rise / Arc::kRadius), 1e-3);

@@ -245,6 +245,7 @@ inline constexpr std::array kWords<OperationType> = {
     Word{OperationType::move, "move"},
     Word{OperationType::passage, "passage"},
     Word{OperationType::ballast, "ballast"},
+    Word{OperationType::lift, "lift"},
 };
 
 template <>

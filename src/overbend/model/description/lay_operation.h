@@ -40,11 +40,31 @@ struct StartUpAnchor {
   std::optional<double> distance;  ///< Astern of the stern shoe; follows from the tension where not given [m].
 };
 
+/// A line by its name, and a number that it gets.
+struct LineValue {
+  std::string line;
+  double value = 0.0;
+};
+
+/// Where the vessel lies, from its place as drawn along its axes there [m], [rad].
+struct VesselOffset {
+  double x = 0.0, y = 0.0, heading = 0.0;
+};
+
+/// First ends of two lines that become one node.
+struct JoinDescription {
+  std::string first, second;
+  double kink = 0.0;  ///< By which the direction turns on the way along the first and on along the second [rad].
+};
+
 /// One stage: how far the line has gone, and what pulls it.
 struct LayStageDescription {
   std::string name;
-  std::optional<double> cable_out;       ///< Unstressed length from winch to head [m].
-  std::optional<double> pipe_out;        ///< Of start_up: unstressed length from tensioner to head [m].
+  std::vector<LineValue> lengths, tensions;  ///< Of lift: unstressed [m]; at the upper end [N].
+  std::optional<VesselOffset> vessel;        ///< Of lift.
+  std::optional<JoinDescription> join;       ///< Of lift.
+  std::optional<double> cable_out;           ///< Unstressed length from winch to head [m].
+  std::optional<double> pipe_out;            ///< Of start_up: unstressed length from tensioner to head [m].
   std::optional<double> passed;          ///< Of passage: length from the tensioner to the middle of the structure [m].
   std::optional<double> ahead;           ///< Of move: how far the barge has moved ahead [m].
   std::optional<double> tension;         ///< At the top [N].

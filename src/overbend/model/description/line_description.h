@@ -1,11 +1,13 @@
 /// Lines besides the pipe: mooring lines, and lines that stand by themselves between two ends. SI.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/vec.h"
+#include "model/description/section_description.h"
 
 namespace overbend {
 
@@ -36,6 +38,7 @@ struct LineSegmentDescription {
   std::string name;
   std::optional<double> length;  ///< Unstressed [m]; the first segment's may follow from a tension.
   LineTypeDescription type;
+  std::optional<SectionDescription> section;  ///< Of pipe, from which the numbers of `type` follow.
 };
 
 enum class PointKind { clump, buoy };
@@ -52,17 +55,20 @@ struct LinePointDescription {
   double drag_area = 0.0;   ///< C_d A [m2]
   double added_mass = 0.0;  ///< [kg]
   BuoyShape shape = BuoyShape::sphere;
-  double height = 0.0;  ///< Of a cylinder; a sphere's diameter follows from the volume [m].
-  double tether = 0.0;  ///< Length of an inextensible tether; 0: fixed to the line [m].
+  double height = 0.0;     ///< Of a cylinder; a sphere's diameter follows from the volume [m].
+  double tether = 0.0;     ///< Length of an inextensible tether; 0: fixed to the line [m].
+  bool by_weight = false;  ///< Given by weight and buoyancy, until resolve_lines() makes mass and net force of them.
 };
 
-enum class LineEndKind { fixed, body, bed, water };
+enum class LineEndKind { fixed, body, bed, water, free, line };
 
 /// What holds an end of a line.
 struct LineEndDescription {
   LineEndKind kind = LineEndKind::fixed;
   Vec3 at = Vec3::Zero();         ///< W for fixed, on the bed and in the water; frame of the body for body [m].
   std::string body;               ///< vessel
+  std::string line;               ///< Of line: the one it is on.
+  double arc_length = 0.0;        ///< There, unstressed, from that line's first end [m].
   bool clamped = false;           ///< Direction held as well as place.
   Vec3 direction = Vec3::Zero();  ///< Of the line there, if clamped; frame as `at`.
   /// Prescribed motion of a fixed end about `at`: amplitude along W axes, period and phase of a harmonic motion.
@@ -77,6 +83,28 @@ struct FreeLineDescription {
   std::vector<LineSegmentDescription> segments;
   std::vector<LinePointDescription> points;
   std::optional<double> element;  ///< Length of its elements [m].
+  std::optional<Vec3> start;      ///< Place of a free end before anything is lifted: x and y, W [m].
 };
+
+/// Whether pipe is in a line.
+inline bool has_pipe_section(const FreeLineDescription& line) {
+  return std::ranges::any_of(line.segments, [](const auto& segment) { return segment.section.has_value(); });
+}
+
+/// Whether an end of a line is on another line, or free.
+inline bool is_linked(const FreeLineDescription& line) {
+  const auto linked = [](const LineEndDescription& end) {
+    return end.kind == LineEndKind::line || end.kind == LineEndKind::free;
+  };
+  return linked(line.first) || linked(line.second);
+}
+
+/// Whether a line is a straight wire: all of one type that weighs nothing and does not bend.
+inline bool is_weightless(const FreeLineDescription& line) {
+  return line.points.empty() && std::ranges::all_of(line.segments, [](const auto& segment) {
+           return segment.type.weight_in_air == 0.0 && segment.type.weight_submerged == 0.0 &&
+                  segment.type.bending_stiffness == 0.0;
+         });
+}
 
 }  // namespace overbend

@@ -94,6 +94,7 @@ enum class OperationType {
   move,
   passage,
   ballast,
+  lift,
 };
 /// How a vessel that is pulled ahead moves: with ramps of its speed; smoothly; with ramps in two parts, half a period
 /// of its surge apart, that leave no surge behind.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/pipe/line_types.h"
 #include "model/pipe/section.h"
@@ -16,9 +17,26 @@ void resolve_type(LineTypeDescription& type, double water_weight_density) {
   if (type.made_from.empty()) type.made_from = kGivenNumbers;
 }
 
+/// Numbers of pipe, for those who ask the type for them.
+void resolve_pipe(LineSegmentDescription& segment, double water_weight_density) {
+  segment.section->hydrodynamics = {segment.type.drag_normal, segment.type.drag_axial, segment.type.added_mass_normal,
+                                    segment.type.added_mass_axial};
+  const Section pipe = derive_section(segment.name, *segment.section, water_weight_density);
+  LineTypeDescription& type = segment.type;
+  type.name = segment.name;
+  type.made_from = kGivenNumbers;
+  type.diameter = type.volume_diameter = type.drag_diameter = pipe.outer_diameter;
+  type.weight_in_air = pipe.weight_in_air;
+  type.weight_submerged = pipe.weight_submerged;
+  type.axial_stiffness = pipe.EA;
+  type.bending_stiffness = pipe.EI;
+  type.compression = true;
+}
+
 /// The check that the name is known came before.
 void resolve_segment(LineSegmentDescription& segment, const std::vector<LineTypeDescription>& types,
                      double water_weight_density) {
+  if (segment.section) return resolve_pipe(segment, water_weight_density);
   const auto named = std::find_if(types.begin(), types.end(),
                                   [&](const LineTypeDescription& type) { return type.name == segment.type.name; });
   if (!segment.type.name.empty() && named != types.end()) {
@@ -31,6 +49,10 @@ void resolve_segment(LineSegmentDescription& segment, const std::vector<LineType
 
 void resolve_point(LinePointDescription& point, double water_weight_density) {
   const double weight = point.mass * kGravity;
+  if (std::exchange(point.by_weight, false)) {
+    point.volume = point.net_force / water_weight_density;
+    point.net_force -= weight;
+  }
   if (std::isnan(point.volume)) point.volume = (point.net_force + weight) / water_weight_density;
   if (std::isnan(point.added_mass)) point.added_mass = 0.5 * point.volume * water_weight_density / kGravity;
   if (point.kind == PointKind::clump) point.net_force = point.volume * water_weight_density - weight;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.h"
@@ -9,8 +10,27 @@ namespace overbend {
 namespace {
 
 const std::vector<std::string>& end_kinds() {
-  static const std::vector<std::string> kKinds = {"fixed", "body", "bed", "water"};
+  static const std::vector<std::string> kKinds = {"fixed", "body", "bed", "water", "free", "line"};
   return kKinds;
+}
+
+const FieldValue* find_line(const FieldValue& root, const std::string& name) {
+  const std::vector<FieldValue>& lines = Checker::items(root, "lines");
+  const std::vector<std::string> names = line_names(lines);
+  const auto found = std::ranges::find(names, name);
+  return found == names.end() ? nullptr : &lines[static_cast<std::size_t>(found - names.begin())];
+}
+
+/// Whether a line is attached to another, be it by way of others.
+bool hangs_on(const FieldValue& root, const FieldValue& line, const FieldValue& other, int depth = 0) {
+  constexpr int kDeepest = 100;
+  for (const FieldValue& end : Checker::items(line, "ends")) {
+    const FieldValue* name = end.find("line");
+    const FieldValue* on = name == nullptr ? nullptr : find_line(root, name->text);
+    if (on == &other) return true;
+    if (on != nullptr && on != &line && depth < kDeepest && hangs_on(root, *on, other, depth + 1)) return true;
+  }
+  return false;
 }
 
 void check_place(Checker& check, const FieldValue& end) {
@@ -26,16 +46,67 @@ void check_place(Checker& check, const FieldValue& end) {
   }
 }
 
-void check_end(Checker& check, const FieldValue& end) {
+/// Length of a line, where all its segments have theirs.
+std::optional<double> length_of(const FieldValue& line) {
+  if (const auto own = line.get_number("length")) return own;
+  double sum = 0.0;
+  const std::vector<FieldValue>& segments = Checker::items(line, "segments");
+  for (const FieldValue& segment : segments) {
+    const auto length = segment.get_number("length");
+    if (!length) return std::nullopt;
+    sum += *length;
+  }
+  return segments.empty() ? std::nullopt : std::optional(sum);
+}
+
+/// An end on another line: which is there, is not the line itself, does not hang on it in turn, and is long enough.
+void check_link(Checker& check, const FieldValue& line, const FieldValue& end) {
+  const FieldValue* name = end.find("line");
+  const FieldValue* place = end.find("arc_length");
+  if (!end.mentions("arc_length"))
+    check.missing(end, "arc_length", "a length with its unit", "where on the other line");
+  if (name == nullptr) return;
+  const FieldValue* other = find_line(check.root(), name->text);
+  if (other == nullptr) {
+    check_name(check, *name, line_names(Checker::items(check.root(), "lines")), "lines");
+    return;
+  }
+  if (other == &line) {
+    check.error(*name, "the line itself, " + name->shown, "the name of another line");
+    return;
+  }
+  if (hangs_on(check.root(), *other, line)) {
+    check.error(*name, name->shown + ", which is attached to this line in turn", "a line that is not");
+  }
+  const auto length = length_of(*other);
+  if (place != nullptr && length && place->number > *length) {
+    check.error(*place, place->shown,
+                "at most the length of '" + name->text + "', " + format_quantity(*length, "m", "m"));
+  }
+}
+
+bool is_free(const FieldValue& end) {
+  return end.mentions("free");
+}
+
+/// Nothing holds a line whose ends are both free but what is attached to it; where it lies has to be said.
+void check_free_ends(Checker& check, const FieldValue& line) {
+  const std::vector<FieldValue>& ends = Checker::items(line, "ends");
+  if (ends.size() != 2 || !is_free(ends[0]) || !is_free(ends[1]) || line.mentions("start")) return;
+  check.missing(line, "start", "x and y of its first end", "both its ends are free: nothing says where it lies");
+}
+
+void check_end(Checker& check, const FieldValue& line, const FieldValue& end) {
   std::vector<std::string> given;
   for (const std::string& kind : end_kinds()) {
     if (end.mentions(kind)) given.push_back(kind);
   }
   if (given.size() != 1) {
-    check.error(end, given.empty() ? "none of fixed, body, bed and water" : join_words(given, "and"),
+    check.error(end, given.empty() ? "none of " + join_words(end_kinds(), "and") : join_words(given, "and"),
                 one_of(end_kinds()));
     return;
   }
+  if (given.front() == "line") check_link(check, line, end);
   const bool body = given.front() == "body";
   const FieldValue* at = end.find("at");
   if (body && !end.mentions("at")) check.missing(end, "at", "the point of the body that holds the end: x, y and z");
@@ -62,7 +133,8 @@ void check_free_lines(Checker& check, std::set<std::string>& used_types) {
   check_unique_names(check, lines, "line");
   for (const FieldValue& line : lines) {
     check_line_body(check, line, "", used_types);
-    for (const FieldValue& end : Checker::items(line, "ends")) check_end(check, end);
+    for (const FieldValue& end : Checker::items(line, "ends")) check_end(check, line, end);
+    check_free_ends(check, line);
   }
 }
 

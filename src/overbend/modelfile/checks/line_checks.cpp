@@ -35,9 +35,16 @@ void check_segment(Checker& check, const FieldValue& segment, const std::vector<
   if (name != nullptr) {
     used.insert(name->text);
     check_name(check, *name, types, "moorings.types");
+    if (const FieldValue* steel = segment.find("steel"); steel != nullptr && steel->given) {
+      check.error(*steel, "steel beside the type " + name->shown, "one of them", "a segment is pipe or of a type");
+    }
     if (own != std::end(kAny)) {
       check.error(*segment.find(*own), "a property beside the type " + name->shown, "a type or properties in place",
                   "put the property into the type");
+    }
+  } else if (segment.mentions("steel")) {
+    if (own != std::end(kAny)) {
+      check.error(*segment.find(*own), "a property of a cable beside steel", "steel, coatings and contents alone");
     }
   } else if (!segment.mentions("type")) {
     check_line_type(check, segment);
@@ -102,6 +109,14 @@ std::vector<std::string> names_below(const FieldValue& root, const std::string& 
   if (const FieldValue* found = root.find(group)) {
     for (const FieldValue& item : found->children) names.push_back(item.key);
     names.insert(names.end(), found->refused.begin(), found->refused.end());
+  }
+  return names;
+}
+
+std::vector<std::string> line_names(const std::vector<FieldValue>& lines) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    names.push_back(lines[i].get_text("name").value_or("line " + std::to_string(i + 1)));
   }
   return names;
 }

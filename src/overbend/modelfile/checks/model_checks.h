@@ -56,6 +56,8 @@ void check_moorings(Checker& check, std::set<std::string>& used_types);
 void check_operation(Checker& check);
 
 /// Operations on the line: cable, head, winch, anchor and stages. `type` is one of them; part of check_operation.
+/// Stages of a lift: what they name is there, and what they join can be.
+void check_lift(Checker& check, const FieldValue& operation);
 void check_lay_operation(Checker& check, const FieldValue& operation, OperationType type);
 
 /// Lines by themselves: part of check_model.

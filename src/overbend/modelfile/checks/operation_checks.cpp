@@ -37,7 +37,7 @@ const std::vector<KeyOwners>& operation_keys() {
       {"cable", {abandonment, recovery, lay_down, start_up}},
       {"winch", {abandonment, recovery, lay_down}},
       {"anchor", {start_up}},
-      {"stages", {moored, abandonment, recovery, lay_down, start_up, move, passage, ballast}},
+      {"stages", {moored, abandonment, recovery, lay_down, start_up, move, passage, ballast, lift}},
       {"tank", {ballast}},
   };
   return kKeys;
@@ -52,6 +52,8 @@ const std::vector<KeyOwners>& stage_keys() {
       {"ahead", {move}},        {"passed", {passage}},
       {"tension", kOnTheLine},  {"bottom_tension", kOnTheLine},
       {"weight", {ballast}},    {"ballast", {ballast}},
+      {"lengths", {lift}},      {"tensions", {lift}},
+      {"vessel", {lift}},       {"join", {lift}},
   };
   return kKeys;
 }
@@ -66,14 +68,6 @@ void check_foreign(Checker& check, const FieldValue& group, const std::vector<Ke
     for (const OperationType owner : owners.types) words.emplace_back(word_of(owner));
     check.error(*value, "a key of " + join_words(words, "or"), "none in this type of operation");
   }
-}
-
-std::vector<std::string> line_names(const std::vector<FieldValue>& lines) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    names.push_back(lines[i].get_text("name").value_or("line " + std::to_string(i + 1)));
-  }
-  return names;
 }
 
 void check_parted(Checker& check, const std::vector<FieldValue>& lines) {
@@ -130,7 +124,9 @@ void check_operation(Checker& check) {
   for (const FieldValue& stage : Checker::items(*operation, "stages")) {
     check_foreign(check, stage, stage_keys(), *type);
   }
-  if (is_lay_operation(*type)) {
+  if (*type == lift) {
+    check_lift(check, *operation);
+  } else if (is_lay_operation(*type)) {
     check_lay_operation(check, *operation, *type);
   } else {
     check_moored_operation(check, *operation, *type);

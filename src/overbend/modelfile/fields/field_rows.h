@@ -73,6 +73,9 @@ std::vector<Field> lay_operation();
 std::vector<Field> operation_stages();
 /// Steel, coatings and hydrodynamics of the head under `p`; what is left out is as in the pipe's main section.
 std::vector<Field> head_section_rows(const std::string& p);
+/// Steel, coatings, joints and contents of a stretch of pipe under `p`; their members belong to a SectionDescription.
+/// Nothing of it has to be given.
+std::vector<Field> pipe_section_rows(const std::string& p);
 /// pipe.structures.
 std::vector<Field> structures();
 /// operation.structure.

@@ -1,5 +1,7 @@
 #include <array>
+#include <limits>
 
+#include "base/constants.h"
 #include "model/description/description_words.h"
 #include "modelfile/fields/field_rows_lines.h"
 #include "modelfile/fields/row_makers.h"
@@ -51,6 +53,24 @@ std::vector<Field> places() {
                                          "another of fixed, body, bed and water"),
                       .shown = kLength,
                       .texts = on_bed}));
+  Field free = otherwise(row_of_kind(FieldKind::choice, kEnd + ".free",
+                                     taken_by<End>([](End& end, const FieldValue&) { end.kind = LineEndKind::free; }),
+                                     "Nothing holds it: a pipe that lies, or hangs on other lines."),
+                         "another of fixed, body, bed, water and line");
+  free.choices = {"true"};
+  rows.push_back(free);
+  rows.push_back(
+      otherwise(row_of_kind(FieldKind::text, kEnd + ".line", taken_by<End>([](End& end, const FieldValue& name) {
+                              end.kind = LineEndKind::line;
+                              end.line = name.text;
+                            }),
+                            "On this other line, free to turn; `pipe` is the pipe that is laid."),
+                "another of fixed, body, bed, water and free"));
+  rows.push_back(otherwise(quantity_row(kEnd + ".arc_length", fills(&End::arc_length),
+                                        "Unstressed length there from the first end of that line, the tensioner of a "
+                                        "lay.",
+                                        kLength, kNotNegative),
+                           "must be given with line"));
   append(rows, vector_rows({.group = otherwise(group_row(kEnd + ".water", end_place(LineEndKind::water),
                                                          "Held at a place between seabed and water level."),
                                                "another of fixed, body, bed and water"),
@@ -93,6 +113,60 @@ std::vector<Field> motion() {
   return rows;
 }
 
+/// A segment that is pipe.
+std::vector<Field> pipe_of_segments() {
+  const std::string s = "lines[].segments[]";
+  std::vector<Field> rows = pipe_section_rows(s);
+  for (Field& row : rows) {
+    const bool below_another = row.path.find_first_of(".[", s.size() + 1) != std::string::npos;
+    if (!below_another) row.member = through(&LineSegmentDescription::section, row.member);
+  }
+  return rows;
+}
+
+/// A clump or a buoy by what it weighs and displaces: resolve_lines() makes a volume of the force that is put here.
+LinePointDescription& add_point(Line& line, const FieldValue&) {
+  LinePointDescription& point = line.points.emplace_back();
+  point.kind = PointKind::buoy;
+  point.by_weight = true;
+  point.added_mass = std::numeric_limits<double>::quiet_NaN();
+  point.name = "point " + std::to_string(line.points.size());
+  return point;
+}
+
+std::vector<Field> points() {
+  using Point = LinePointDescription;
+  const std::string p = "lines[].points[]";
+  return {
+      list_row("lines[].points", {}, "Clumps and buoys by weight and buoyancy.", "none"),
+      group_row(p, opened_by<Line>(add_point), "One of them."),
+      otherwise(row_of_kind(FieldKind::text, p + ".name", fills(&Point::name), "Name in the results."),
+                "point 1, 2, ..."),
+      required(quantity_row(p + ".arc_length", fills(&Point::at),
+                            "Unstressed length along the line from its first end.", kLength, kNotNegative)),
+      quantity_row(p + ".weight_in_air",
+                   with_default(taken_by<Point>([](Point& point, const FieldValue& weight) {
+                                  point.mass = weight.number / kGravity;
+                                }),
+                                0.0),
+                   "Weight in air.", kForce, kNotNegative),
+      quantity_row(p + ".buoyancy", with_default(fills(&Point::net_force), 0.0),
+                   "Weight of the water that it displaces when submerged.", kForce, kNotNegative),
+      quantity_row(p + ".drag_area", defaults(&Point::drag_area), "Drag coefficient times area.", kArea, kNotNegative),
+  };
+}
+
+std::vector<Field> start() {
+  const auto open = [](Line& line, const FieldValue&) -> Vec3& { return line.start.emplace(Vec3::Zero()); };
+  std::vector<std::string> words = world_axes_words();
+  words.pop_back();
+  return vector_rows({.group = otherwise(group_row("lines[].start", opened_by<Line>(open),
+                                                   "Where its free end lies before anything is lifted."),
+                                         "straight on the bed from the end that is held"),
+                      .shown = kLength,
+                      .texts = words});
+}
+
 }  // namespace
 
 std::vector<Field> free_lines() {
@@ -104,11 +178,16 @@ std::vector<Field> free_lines() {
       otherwise(
           row_of_kind(FieldKind::text, "lines[].name", fills(&Line::name), "Name in the results; must be unique."),
           "line 1, 2, ..."),
-      ends, group_row(kEnd, opened_by<Line>(open_end), "One end: fixed, body with at, bed, or water.")};
+      ends,
+      group_row(kEnd, opened_by<Line>(open_end),
+                "One end: fixed, body with at, bed, water, free, or line with arc_length.")};
   append(rows, places());
   append(rows, direction());
   append(rows, motion());
   append(rows, line_body_rows<Line>("lines[]"));
+  append(rows, pipe_of_segments());
+  append(rows, points());
+  append(rows, start());
   append(rows, {otherwise(quantity_row("lines[].element", fills(&Line::element), "Length of its elements.", kLength,
                                        {.low = 0.02, .high = 1000.0}),
                           "chosen by the program")});

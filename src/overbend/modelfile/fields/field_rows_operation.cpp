@@ -67,11 +67,12 @@ std::vector<Field> operation() {
                   "recovery: it comes up again, the stages in reverse order; lay_down: the end of the line, "
                   "as abandonment; start_up: the first pipe is pulled off the vessel by a cable to an anchor; "
                   "move: the vessel goes ahead and the pipe with its segments leaves it; passage: what is built into "
-                  "the pipe goes down the line; ballast: a tank of the stinger is flooded or emptied."));
+                  "the pipe goes down the line; ballast: a tank of the stinger is flooded or emptied; lift: lines are "
+                  "hauled and paid out, the vessel moves, ends of pipe are welded."));
   for (const OperationType operation :
        {OperationType::moored, OperationType::pull_ahead, OperationType::anchor_move, OperationType::anchor_plan,
         OperationType::abandonment, OperationType::recovery, OperationType::lay_down, OperationType::start_up,
-        OperationType::move, OperationType::passage, OperationType::ballast}) {
+        OperationType::move, OperationType::passage, OperationType::ballast, OperationType::lift}) {
     type.choices.emplace_back(word_of(operation));
   }
   std::vector<Field> rows = {

@@ -324,6 +324,14 @@ std::vector<Field> head_section_rows(const std::string& p) {
   return rows;
 }
 
+std::vector<Field> pipe_section_rows(const std::string& p) {
+  std::vector<Field> rows = section(p);
+  std::erase_if(rows, [&](const Field& row) { return row.path.starts_with(p + ".hydrodynamics"); });
+  rows.front().required = false;
+  rows.front().fallback_text = "not pipe";
+  return rows;
+}
+
 std::vector<Field> pipe() {
   std::vector<Field> rows = {{.path = "pipe",
                               .member = enters(&Description::pipe),

@@ -48,6 +48,59 @@ Field lay_number(const std::string& key, std::optional<double> LayStageDescripti
   return otherwise(quantity_row("operation.stages[]." + key, take, text, shown, range), omitted);
 }
 
+Member adds_line_value(std::vector<LineValue> LayStageDescription::*list) {
+  return taken_by<StageTarget>([list](StageTarget& stage, const FieldValue& value) {
+    (stage.lay().*list).push_back({value.key, value.number});
+  });
+}
+
+JoinDescription& join_of(StageTarget& stage, const FieldValue& group) {
+  JoinDescription& join = stage.lay().join.emplace();
+  const FieldValue* lines = group.find("lines");
+  if (lines != nullptr && lines->children.size() == 2) {
+    join.first = lines->children[0].text;
+    join.second = lines->children[1].text;
+  }
+  return join;
+}
+
+/// Of lift: what lines, vessel and welds do.
+std::vector<Field> lift_stage(const std::string& s) {
+  const auto vessel = [](StageTarget& stage, const FieldValue&) -> VesselOffset& {
+    return stage.lay().vessel.emplace();
+  };
+  return {
+      otherwise(group_row(s + ".lengths", {}, "Of lift: unstressed lengths of lines, by their names."),
+                "as in the stage before"),
+      quantity_row(s + ".lengths.*", adds_line_value(&LayStageDescription::lengths), "Length of that line.", kLength,
+                   kPositive),
+      otherwise(
+          group_row(s + ".tensions", {},
+                    "Of lift: tensions at the upper ends of lines, by their names, in place of their lengths. The "
+                    "length that is found stays until a stage names another."),
+          "as in the stage before"),
+      quantity_row(s + ".tensions.*", adds_line_value(&LayStageDescription::tensions), "Tension of that line.", kForce,
+                   kPositive),
+      otherwise(group_row(s + ".vessel", opened_by<StageTarget>(vessel),
+                          "Of lift: where the vessel lies, from its place as drawn along its axes there; not added up "
+                          "from stage to stage."),
+                "as in the stage before"),
+      quantity_row(s + ".vessel.x", with_default(fills(&VesselOffset::x), 0.0), "Forward.", kLength),
+      quantity_row(s + ".vessel.y", with_default(fills(&VesselOffset::y), 0.0), "To port.", kLength),
+      quantity_row(s + ".vessel.heading", with_default(fills(&VesselOffset::heading), 0.0), "Clockwise from above.",
+                   kAngle, azimuth()),
+      otherwise(group_row(s + ".join", opened_by<StageTarget>(join_of),
+                          "Of lift: the first ends of two lines become one node, from this stage on."),
+                "no new weld"),
+      required(list_row(s + ".join.lines", {}, "The names of the two lines.", "")),
+      row_of_kind(FieldKind::text, s + ".join.lines[]", read_elsewhere(), "Name of a line."),
+      quantity_row(s + ".join.kink", defaults(&JoinDescription::kink),
+                   "Angle by which the direction turns at the weld on the way along the first line and on along the "
+                   "second, sagging positive.",
+                   kAngle, {.low = -1.6, .high = 1.6}),
+  };
+}
+
 std::vector<Field> listed() {
   using Lay = LayStageDescription;
   using Moored = MooredStageDescription;
@@ -71,6 +124,7 @@ std::vector<Field> listed() {
       list_row(s + ".loads", opened_by<StageTarget>(loads), "Of moored: loads on the vessel besides vessel.loads.",
                "none")};
   append(rows, vessel_load_rows(s + ".loads"));
+  append(rows, lift_stage(s));
   append(rows, {lay_number("cable_out", &Lay::cable_out,
                            "Of abandonment, recovery and lay_down: unstressed length of the cable from winch to head.",
                            kLength, kPositive, "not used by other types"),

@@ -212,6 +212,23 @@ Member through(Part Owner::*part, const Member& row) {
   return outer;
 }
 
+/// The same of a part that is there only where one of its keys is given.
+template <typename Owner, typename Part>
+Member through(std::optional<Part> Owner::*part, const Member& row) {
+  const auto there = [part](Target& owner) -> Part& {
+    std::optional<Part>& found = object<Owner>(owner).*part;
+    return found ? *found : found.emplace();
+  };
+  Member outer = row;
+  outer.owner = typeid(Owner);
+  if (!row.put) outer.below = typeid(Part);
+  outer.put = [there, put = row.put](Target& owner, const FieldValue& value) -> Target {
+    Target inner = &there(owner);
+    return put ? put(inner, value) : inner;
+  };
+  return outer;
+}
+
 /// Values that the row of their list, or another reader, takes.
 Member read_elsewhere();
 

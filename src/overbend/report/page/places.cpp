@@ -80,6 +80,7 @@ double yield_percent(const StaticResults& results, double s, double stress) {
 }
 
 std::string place_name(const StaticResults& results, double s) {
+  if (results.stations.empty()) return shown(s, "m", 1) + " from the first end";
   constexpr double kSlack = 0.5;  // an extreme just off the end of a box is still that box's [m]
   for (const SupportResult& box : results.supports) {
     if (std::abs(s - box.s) <= 0.5 * box.length + kSlack) {

@@ -9,6 +9,7 @@
 #include "report/page/page.h"
 #include "report/page/quantity.h"
 #include "report/page/sections.h"
+#include "report/stages/lift_report.h"
 #include "report/stages/operation_verdict.h"
 #include "report/stages/procedure_section.h"
 #include "report/stages/stage_words.h"
@@ -69,11 +70,12 @@ std::string passage_part(const OperationResults& results) {
 
 FrontPage front_of_operation(const OperationResults& results, const std::optional<Description>& description,
                              const StaticResults* lay) {
-  FrontPage front =
-      front_of(operation_title(results.type) + " of a pipeline, static analysis", results.title, description, {});
+  const char* of =
+      results.type == OperationType::lift ? " of lines, static analysis" : " of a pipeline, static analysis";
+  FrontPage front = front_of(operation_title(results.type) + of, results.title, description, {});
   front.findings = operation_findings(results);
   front.reach = "Static states of all stages: the effect of waves needs a dynamic analysis of the stage.";
-  if (lay != nullptr) front.entries = subject_entries(*lay);
+  if (lay != nullptr && lay->has_pipe()) front.entries = subject_entries(*lay);
   front.entries.emplace_back("Stages", std::to_string(results.stages.size()));
   front.entries.emplace_back("Program", "Overbend " + results.version);
   front.entries.emplace_back("Written", written_now());
@@ -99,9 +101,14 @@ std::string operation_report_html(const OperationResults& results, const std::st
   const std::optional<Description> description = description_of(model_text);
   const StaticResults* lay = first_lay(results);
   int figure = 0;
-  const std::string rest = procedure_section(results, description) + stages_section(results, figure) +
-                           passage_part(results) + stage_checks_section(results) + gear_section(description) +
-                           (lay != nullptr ? inputs_section(*lay, description, nullptr) : "") +
+  const bool lift = results.type == OperationType::lift;
+  const std::string stages =
+      lift ? lift_sections(results, figure)
+           : procedure_section(results, description) + stages_section(results, figure) + passage_part(results);
+  const std::string inputs = lay != nullptr && lay->has_pipe() ? inputs_section(*lay, description, nullptr)
+                             : lay != nullptr && description   ? inputs_section(*description)
+                                                               : "";
+  const std::string rest = stages + stage_checks_section(results) + gear_section(description) + inputs +
                            assumptions_section(all_assumptions(results)) +
                            calculation_sheet_section(checks_of_stages(results)) + model_text_section(model_text);
   const FrontPage front = front_of_operation(results, description, lay);
@@ -109,7 +116,7 @@ std::string operation_report_html(const OperationResults& results, const std::st
       results.title + " - " + operation_title(results.type),
       front_page(front, verdict_with_stage(results), operation_bars(results),
                  std::string("The mark on the bar is the full capacity. ") + kBasisOfChecks + " ", rest),
-      stages_data(results, description));
+      lift ? "{}" : stages_data(results, description));
 }
 
 void write_operation_report(const OperationResults& results, const std::string& model_text,

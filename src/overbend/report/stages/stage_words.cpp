@@ -39,6 +39,8 @@ std::string operation_title(OperationType type) {
       return "Passage of a structure";
     case OperationType::ballast:
       return "Ballast of the stinger";
+    case OperationType::lift:
+      return "Lift";
     default:
       return "Abandonment";
   }

@@ -4,6 +4,7 @@
 
 #include "model/description/operation_words.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
+#include "resultfiles/stages/lift_hdf5.h"
 #include "results/fields/lay_operation_fields.h"
 
 namespace overbend {
@@ -16,7 +17,8 @@ StageResult read_stage(const Hdf5Reader& file, const std::string& group) {
   visit_stage_result(stage, visit);
   visit.group = group + "/failure";
   if (file.has(visit.group)) visit_stage_failure(stage.failure.emplace(), visit);
-  if (file.has(group + "/static")) stage.lay = read_lay_group(file, group + "/static");
+  const std::string lay = group + "/static";
+  if (file.has(lay)) stage.lay = file.has(lay + "/davits") ? read_lift_group(file, lay) : read_lay_group(file, lay);
   return stage;
 }
 

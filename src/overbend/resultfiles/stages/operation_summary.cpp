@@ -1,4 +1,5 @@
 #include "model/description/operation_words.h"
+#include "resultfiles/stages/lift_json.h"
 #include "resultfiles/stages/operation_writer.h"
 #include "resultfiles/static/case_summary.h"
 #include "resultfiles/static/passage_json.h"
@@ -23,7 +24,11 @@ Json stage_json(const SummaryStyle& style, const StageResult& stage) {
   if (stage.failure) {
     json["failure"] = object_of(style, [&](auto& one) { visit_stage_failure(*stage.failure, one); });
   }
-  if (stage.lay) {
+  if (stage.lay && stage.lay->lift) {
+    json.update(lift_json(*stage.lay->lift));
+    json["checks"] = summary_checks(style, stage.lay->checks);
+    json["lift_findings"] = findings_json(stage.lay->findings);
+  } else if (stage.lay) {
     json.update(static_part(style, *stage.lay));
     json["lay_warnings"] = messages(stage.lay->findings);
     json["lay_findings"] = findings_json(stage.lay->findings);

@@ -7,6 +7,7 @@
 #include "resultfiles/hdf5/hdf5_file.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
 #include "resultfiles/hdf5/object_links.h"
+#include "resultfiles/stages/lift_hdf5.h"
 #include "resultfiles/stages/stage_table.h"
 #include "resultfiles/static/finite_check.h"
 #include "resultfiles/tables/finite_visitor.h"
@@ -24,7 +25,7 @@ void require_finite_stages(const OperationResults& results) {
     visit_lay_stage(stage.stage, visit);
     visit_stage_result(stage, visit);
     if (stage.failure) visit_stage_failure(*stage.failure, visit);
-    if (stage.lay) require_finite(*stage.lay);
+    if (stage.lay && !stage.lay->lift) require_finite(*stage.lay);
   }
 }
 
@@ -42,7 +43,11 @@ void write_stage(DatasetSink& file, const std::string& group, const StageResult&
     file.group(visit.group, "Why the stage has no equilibrium");
     visit_stage_failure(*stage.failure, visit);
   }
-  if (stage.lay) write_lay_group(file, group + "/static", *stage.lay);
+  if (stage.lay && stage.lay->lift) {
+    write_lift_group(file, group + "/static", *stage.lay);
+  } else if (stage.lay) {
+    write_lay_group(file, group + "/static", *stage.lay);
+  }
 }
 
 }  // namespace
@@ -65,7 +70,8 @@ void write_operation_hdf5(const OperationResults& results, const Description& de
   write_operation_groups(file, results);
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
     const StageResult& stage = results.stages[i];
-    if (stage.lay) link_objects(file, *stage.lay, stage_group(i), "/stages/" + dataset_path(stage.stage.name));
+    if (stage.lay && !stage.lay->lift)
+      link_objects(file, *stage.lay, stage_group(i), "/stages/" + dataset_path(stage.stage.name));
   }
   file.close();
 }

@@ -88,9 +88,47 @@ void visit_or_absent(const std::optional<Part>& part, ColumnGatherer& columns, V
   columns.absent(false);
 }
 
-void gather(const StageResult& stage, ColumnGatherer& columns) {
+/// Key results of a lift: of all its lines the largest, and every davit's tension.
+template <class Visit>
+void visit_lift_in_brief(const StaticResults& r, Visit& visit) {
+  const LiftResults& lift = *r.lift;
+  const auto most = [](const std::vector<LiftedLine>& lines, auto value) {
+    double largest = 0.0;
+    for (const LiftedLine& line : lines) largest = std::max(largest, value(line));
+    return largest;
+  };
+  visit(ResultField{"moment", "N m"}.csv("largest moment"),
+        most(lift.lines, [](const LiftedLine& line) { return line.bending.value; }));
+  visit(ResultField{"stress", "Pa"}.csv("largest bending stress"),
+        most(lift.lines, [](const LiftedLine& line) { return line.bending_stress; }));
+  for (const LiftedLine& line : lift.lines) {
+    const LiftedEnd& end = line.first.free || !line.second.free ? line.first : line.second;
+    visit(ResultField{"z", "m"}.csv("end of " + line.name + ", z"), end.at.place.z());
+    visit(ResultField{"inclination", "rad"}.csv("end of " + line.name + ", inclination"), end.at.inclination);
+  }
+  for (const LiftedWire& wire : lift.davits) {
+    visit(ResultField{"length", "m"}.csv(wire.name + ", length"), wire.length);
+    visit(ResultField{"tension", "N"}.csv(wire.name + ", tension"), wire.tension_upper);
+  }
+  const CheckRow* worst = worst_check(r.checks);
+  visit(ResultField{"check", "1"}.csv("decisive check"), worst != nullptr ? worst->name : std::string());
+  visit(ResultField{"utilisation", "1"}.csv("utilisation"),
+        worst != nullptr ? worst->utilisation : std::numeric_limits<double>::quiet_NaN());
+}
+
+/// `like`: a stage of a lift that stands, whose fields stand for those of one that does not; null of other operations.
+void gather(const StageResult& stage, const StaticResults* like, ColumnGatherer& columns) {
   visit_lay_stage(stage.stage, columns);
   columns(ResultField{"status"}.csv("status"), std::string(stage.lay ? "converged" : "no equilibrium"));
+  if (like != nullptr) {
+    columns.absent(!stage.lay);
+    visit_lift_in_brief(stage.lay ? *stage.lay : *like, columns);
+    columns.absent(false);
+    columns(ResultField{"why"}.csv("why not"),
+            stage.failure ? stage.failure->what + ": " + stage.failure->why : std::string());
+    columns.end_row();
+    return;
+  }
   visit_stage_result(stage, columns);
   visit_or_absent(stage.lay, columns, [&](const StaticResults& lay) { visit_lay_in_brief(lay, columns); });
   const StaticResults none{};
@@ -120,7 +158,11 @@ bool is_empty(const StageTableColumn& column) {
 
 std::vector<StageTableColumn> stage_table_columns(const OperationResults& results) {
   ColumnGatherer gatherer;
-  for (const StageResult& stage : results.stages) gather(stage, gatherer);
+  const StaticResults* lift = nullptr;
+  for (const StageResult& stage : results.stages) {
+    if (stage.lay && stage.lay->lift) lift = &*stage.lay;
+  }
+  for (const StageResult& stage : results.stages) gather(stage, lift, gatherer);
   std::vector<StageTableColumn> columns = gatherer.take();
   std::erase_if(columns, is_empty);
   return columns;

@@ -5,13 +5,14 @@ namespace {
 
 constexpr int kLooks = 6;  ///< At the clearance, per element.
 
-LinePlace place_at(const StaticSystem& system, int element, double xi) {
+ElementPlace place_at(const StaticSystem& system, int element, double xi) {
   const std::size_t e = static_cast<std::size_t>(element);
   return {element, xi, system.mesh().s[e] + xi * system.mesh().length[e]};
 }
 
 /// Where the clearance passes zero between two places of an element, the first with `touching`.
-LinePlace edge(const StaticSystem& system, const LineState& state, int element, double xi, double next, bool touching) {
+ElementPlace edge(const StaticSystem& system, const LineState& state, int element, double xi, double next,
+                  bool touching) {
   for (int i = 0; i < 50; ++i) {
     const double middle = 0.5 * (xi + next);
     const bool same = (bed_clearance(system, state, element, middle) <= 0.0) == touching;
@@ -31,7 +32,7 @@ std::vector<BedContact> bed_contacts(const StaticSystem& system, const LineState
       const bool now = bed_clearance(system, state, e, xi) <= 0.0;
       if (now == touching) continue;
       const double before = look == 0 ? 1.0 : xi + 1.0 / kLooks;
-      const LinePlace at = edge(system, state, e, before, xi, touching);
+      const ElementPlace at = edge(system, state, e, before, xi, touching);
       if (now) contacts.push_back({at, place_at(system, 0, 0.0)});
       if (!now) contacts.back().to = at;
       touching = now;
@@ -40,8 +41,8 @@ std::vector<BedContact> bed_contacts(const StaticSystem& system, const LineState
   return contacts;
 }
 
-std::vector<LinePlace> contact_places(const StaticSystem& system, const LineState& state) {
-  std::vector<LinePlace> places;
+std::vector<ElementPlace> contact_places(const StaticSystem& system, const LineState& state) {
+  std::vector<ElementPlace> places;
   if (system.model().seabed.surface.shape() == nullptr) return places;
   for (const BedContact& contact : bed_contacts(system, state)) {
     places.push_back(contact.from);
@@ -55,7 +56,7 @@ std::vector<LineStretch> contact_edges(const StaticSystem& system, const std::ve
   const double total = system.mesh().total_length();
   std::vector<LineStretch> edges;
   for (const BedContact& contact : contacts) {
-    for (const LinePlace& place : {contact.from, contact.to}) {
+    for (const ElementPlace& place : {contact.from, contact.to}) {
       const double from_top = total - place.s;
       if (place.s <= 0.0) continue;
       if (!edges.empty() && from_top - edges.back().to < kClose) {

@@ -9,14 +9,14 @@ namespace overbend {
 
 /// A stretch in contact; `from` is its end nearer the tensioner.
 struct BedContact {
-  LinePlace from, to;
+  ElementPlace from, to;
 };
 
 /// All of them from the tensioner down; the last may end at the far end.
 std::vector<BedContact> bed_contacts(const StaticSystem& system, const LineState& state);
 
 /// Where contact with a shaped bed begins and ends; none of a plane, where touchdown says all.
-std::vector<LinePlace> contact_places(const StaticSystem& system, const LineState& state);
+std::vector<ElementPlace> contact_places(const StaticSystem& system, const LineState& state);
 
 /// Their ends as the mesh wants to know them: short stretches by distance from the tensioner.
 std::vector<LineStretch> contact_edges(const StaticSystem& system, const std::vector<BedContact>& contacts);

@@ -121,7 +121,7 @@ void StaticSystem::solve(std::vector<double>& x, double& y, double miss) {
 }
 
 std::optional<double> StaticSystem::landing_miss(const LineState& state) const {
-  const std::optional<LinePlace> place = find_touchdown(*this, state);
+  const std::optional<ElementPlace> place = find_touchdown(*this, state);
   if (!place) return std::nullopt;
   const std::size_t e = static_cast<std::size_t>(place->element);
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
@@ -156,7 +156,7 @@ void StaticSystem::add_friction_by_line(const LineState& state, std::vector<doub
 void StaticSystem::find_line_change(const LineState& state) {
   constexpr double kAside = 1e-4;  // [m]
   constexpr double kLeast = 1e-9;  // of the way of the line, by which the miss must change
-  const std::optional<LinePlace> place = find_touchdown(*this, state);
+  const std::optional<ElementPlace> place = find_touchdown(*this, state);
   if (!place) return;
   const std::size_t e = static_cast<std::size_t>(place->element);
   const double h = mesh().length[e];

@@ -13,13 +13,13 @@ ElementVector dofs_of(const LineState& state, int element) {
 
 /// First passage of `value(element, xi)` from above to below zero, from the tensioner down; bisected to rounding.
 template <class Function>
-std::optional<LinePlace> first_passage(const StaticSystem& system, const Function& value) {
+std::optional<ElementPlace> first_passage(const StaticSystem& system, const Function& value) {
   const LineMesh& mesh = system.mesh();
   bool was_above = false;
   for (int e = mesh.elements() - 1; e >= 0; --e) {
     const bool starts_above = value(e, 1.0) > 0.0;
     if (!starts_above && was_above) {  // the line grows thicker between two elements
-      return LinePlace{e, 1.0, mesh.s[static_cast<std::size_t>(e) + 1]};
+      return ElementPlace{e, 1.0, mesh.s[static_cast<std::size_t>(e) + 1]};
     }
     was_above = starts_above;
     if (!starts_above || value(e, 0.0) > 0.0) {
@@ -30,7 +30,8 @@ std::optional<LinePlace> first_passage(const StaticSystem& system, const Functio
       const double middle = 0.5 * (below + above);
       (value(e, middle) > 0.0 ? above : below) = middle;
     }
-    return LinePlace{e, above, mesh.s[static_cast<std::size_t>(e)] + above * mesh.length[static_cast<std::size_t>(e)]};
+    return ElementPlace{e, above,
+                        mesh.s[static_cast<std::size_t>(e)] + above * mesh.length[static_cast<std::size_t>(e)]};
   }
   return std::nullopt;
 }
@@ -43,17 +44,17 @@ double bed_clearance(const StaticSystem& system, const LineState& state, int ele
   return system.model().seabed.surface.clearance(r) - system.elements().radius[e];
 }
 
-std::optional<LinePlace> find_touchdown(const StaticSystem& system, const LineState& state) {
+std::optional<ElementPlace> find_touchdown(const StaticSystem& system, const LineState& state) {
   return first_passage(system, [&](int e, double xi) { return bed_clearance(system, state, e, xi); });
 }
 
-std::optional<LinePlace> landing(const StaticSystem& system, const LineState& state) {
-  const std::optional<LinePlace> touchdown = find_touchdown(system, state);
+std::optional<ElementPlace> landing(const StaticSystem& system, const LineState& state) {
+  const std::optional<ElementPlace> touchdown = find_touchdown(system, state);
   if (touchdown || !cable_at_far_end(system.model().description)) return touchdown;
-  return LinePlace{};
+  return ElementPlace{};
 }
 
-std::optional<LinePlace> find_waterline(const StaticSystem& system, const LineState& state) {
+std::optional<ElementPlace> find_waterline(const StaticSystem& system, const LineState& state) {
   return first_passage(system, [&](int e, double xi) {
     return centreline(dofs_of(state, e), xi, system.mesh().length[static_cast<std::size_t>(e)]).r.z();
   });

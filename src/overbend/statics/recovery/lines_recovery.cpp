@@ -157,6 +157,25 @@ Assumptions line_assumptions(const Model& model) {
   return told;
 }
 
+LineResult recover_line_result(const FreeLineDescription& description, const LineAssembly& solved,
+                               const std::vector<double>& q) {
+  LineResult line;
+  line.name = description.name;
+  line.length = solved.line().mesh.total_length();
+  line.elements = solved.line().mesh.elements();
+  line.weight = submerged_weight(solved.line());
+  line.on_bed = length_on_bed(solved.line(), q);
+  line.first = end_of(solved, q, LineEnd::first);
+  line.second = end_of(solved, q, LineEnd::last);
+  line.nodes = nodes_of(solved, q);
+  const auto by_tension = [](const LineNodeResult& a, const LineNodeResult& b) { return a.tension < b.tension; };
+  const auto [least, most] = std::minmax_element(line.nodes.begin(), line.nodes.end(), by_tension);
+  line.least_tension = least->tension;
+  line.largest_tension = most->tension;
+  line.utilisation = utilisation_of(description, line, solved.line().mesh);
+  return line;
+}
+
 std::vector<LineResult> recover_lines(const Model& model, const Assembly& assembly, const LinesAtRest& lines,
                                       Findings& findings) {
   const SystemState& state = lines.state;
@@ -166,22 +185,9 @@ std::vector<LineResult> recover_lines(const Model& model, const Assembly& assemb
     const FreeLineDescription& description = model.description.lines[i];
     const LineAssembly& solved = assembly.line(i);
     const std::vector<double>& q = state.lines[i].q;
-    LineResult line;
-    line.name = description.name;
-    line.length = solved.line().mesh.total_length();
-    line.elements = solved.line().mesh.elements();
-    line.weight = submerged_weight(solved.line());
-    line.on_bed = length_on_bed(solved.line(), q);
+    LineResult line = recover_line_result(description, solved, q);
     line.residual = rest.lines[i].residual;
     line.iterations = rest.lines[i].iterations;
-    line.first = end_of(solved, q, LineEnd::first);
-    line.second = end_of(solved, q, LineEnd::last);
-    line.nodes = nodes_of(solved, q);
-    const auto by_tension = [](const LineNodeResult& a, const LineNodeResult& b) { return a.tension < b.tension; };
-    const auto [least, most] = std::minmax_element(line.nodes.begin(), line.nodes.end(), by_tension);
-    line.least_tension = least->tension;
-    line.largest_tension = most->tension;
-    line.utilisation = utilisation_of(description, line, solved.line().mesh);
     warn(description, line, rest.in_bows[i], findings);
     warn_of_fold(line.name, solved.line().mesh, q, findings);
     results.push_back(std::move(line));

@@ -13,6 +13,10 @@ namespace overbend {
 std::vector<LineResult> recover_lines(const Model& model, const Assembly& assembly, const LinesAtRest& lines,
                                       Findings& findings);
 
+/// One line with its shape, without warnings.
+LineResult recover_line_result(const FreeLineDescription& description, const LineAssembly& solved,
+                               const std::vector<double>& q);
+
 /// Length that the bed bears: half of an element for each of its nodes that touches it [m]. `q` as LineState::q.
 double length_on_bed(const Line& line, const std::vector<double>& q);
 

@@ -142,9 +142,9 @@ void add_places_beside(const StaticSystem& system, int element, double length, s
 
 /// Nodes, places where a roller pushes, touchdown and, in long elements, points between.
 std::vector<Station> make_stations(const StaticSystem& system, const LineState& state,
-                                   const std::vector<CutForces>& cuts, const std::optional<LinePlace>& touchdown,
+                                   const std::vector<CutForces>& cuts, const std::optional<ElementPlace>& touchdown,
                                    const std::vector<BendingMemory>& memory) {
-  const std::vector<LinePlace> edges = contact_places(system, state);
+  const std::vector<ElementPlace> edges = contact_places(system, state);
   std::vector<StationCut> stations;
   for (int e = 0; e < system.mesh().elements(); ++e) {
     std::vector<double> places{0.0};
@@ -161,7 +161,7 @@ std::vector<Station> make_stations(const StaticSystem& system, const LineState& 
     if (touchdown && touchdown->element == e) {
       places.push_back(touchdown->xi);
     }
-    for (const LinePlace& edge : edges) {
+    for (const ElementPlace& edge : edges) {
       if (edge.element == e) places.push_back(edge.xi);
     }
     add_places_beside(system, e, h, places);
@@ -320,14 +320,14 @@ void warn_of_roll(StaticResults& results) {
 
 /// Of a solution on its system, evaluated there.
 std::vector<Station> stations_on(const StaticSystem& system, const StaticSolution& solution,
-                                 const std::vector<CutForces>& cuts, const std::optional<LinePlace>& touchdown) {
+                                 const std::vector<CutForces>& cuts, const std::optional<ElementPlace>& touchdown) {
   return make_stations(system, solution.state, cuts, touchdown,
                        solution.past.solution ? solution.bending : std::vector<BendingMemory>());
 }
 
 /// Horizontal tension at a place: of the whole force there, since the pipe's shear has its share of it [N].
 double horizontal_tension_at(const StaticSystem& system, const LineState& state, const std::vector<CutForces>& cuts,
-                             const LinePlace& place) {
+                             const ElementPlace& place) {
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * place.element));
   const double h = system.mesh().length[static_cast<std::size_t>(place.element)];
   return horizontal_tension(cut_at(system, state, cuts, place.element, place.xi).force, centreline(q, place.xi, h).a);
@@ -346,7 +346,7 @@ StaticResults recover_state(const Model& model, const StaticSolution& solution) 
   copy_model(results, model);
   StaticSystem system = system_with_past(model, solution.mesh, solution.past);
   const LineState& state = solution.state;
-  const std::optional<LinePlace> touchdown = landing(system, state);
+  const std::optional<ElementPlace> touchdown = landing(system, state);
   const std::vector<CutForces> cuts = cut_forces(system, state);
   results.stations = stations_on(system, solution, cuts, touchdown);
 
@@ -360,7 +360,7 @@ StaticResults recover_state(const Model& model, const StaticSolution& solution) 
   results.top_tension = top.effective_tension;
   results.top_inclination = top.inclination;
   results.residual_curvature = landing.residual_curvature;
-  results.bottom_tension = horizontal_tension_at(system, state, cuts, touchdown.value_or(LinePlace{}));
+  results.bottom_tension = horizontal_tension_at(system, state, cuts, touchdown.value_or(ElementPlace{}));
   results.anchor_W = results.stations.front().p_W;
 
   const Departure departure = recover_supports(results, system, state);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kLooksPerElement = 4;
 
-double astern_of(const StaticSystem& system, const LineState& state, const LinePlace& place) {
+double astern_of(const StaticSystem& system, const LineState& state, const ElementPlace& place) {
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * place.element));
   const Vec3 r = centreline(q, place.xi, system.mesh().length[static_cast<std::size_t>(place.element)]).r;
   return (r - point_from_ramp(system.model(), system.model().mean_pose, Vec3::Zero())).dot(system.plane().astern_W);
@@ -48,7 +48,7 @@ void walk_line(const StaticSystem& system, double from, double to, Look look) {
     if (system.mesh().s[i + 1] < from || system.mesh().s[i] > to) continue;
     for (int k = 0; k < kLooksPerElement; ++k) {
       const double xi = (k + 0.5) / kLooksPerElement, s = system.mesh().s[i] + xi * system.mesh().length[i];
-      if (s >= from && s <= to) look(LinePlace{e, xi, s});
+      if (s >= from && s <= to) look(ElementPlace{e, xi, s});
     }
   }
 }
@@ -62,7 +62,7 @@ BedContactResult contact_result(BedResults& bed, const StaticSystem& system, con
   result.s_from = contact.from.s;
   result.s_to = contact.to.s;
   std::vector<Sample> depths;
-  walk_line(system, contact.to.s, contact.from.s, [&](const LinePlace& at) {
+  walk_line(system, contact.to.s, contact.from.s, [&](const ElementPlace& at) {
     depths.push_back({astern_of(system, state, at), -bed_clearance(system, state, at.element, at.xi)});
   });
   const Sample deepest = peak(depths);
@@ -79,7 +79,7 @@ FreeSpanResult span_result(const StaticResults& results, const StaticSystem& sys
   FreeSpanResult span{before.x_to, behind.x_from, before.s_to, behind.s_from};
   span.length = span.s_from - span.s_to;
   std::vector<Sample> gaps, moments;
-  walk_line(system, span.s_to, span.s_from, [&](const LinePlace& at) {
+  walk_line(system, span.s_to, span.s_from, [&](const ElementPlace& at) {
     gaps.push_back({astern_of(system, state, at), bed_clearance(system, state, at.element, at.xi)});
   });
   for (const Station& at : results.stations) {

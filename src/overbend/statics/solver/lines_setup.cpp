@@ -7,6 +7,7 @@
 #include "mechanics/ground.h"
 #include "model/waves/wave_theory.h"
 #include "statics/solver/lines_statics.h"
+#include "statics/solver/linked_lines.h"
 #include "system/assembly.h"
 #include "system/vessel_body.h"
 
@@ -88,15 +89,13 @@ LinesSetup setup_on(const Model& model, const std::vector<std::vector<FineStretc
     system.lines.push_back(cable_line(model, parts, mesh, first, second));
     system.lines.back().name = line.name;
     setup.start.push_back(start.shape(system.lines.back().mesh));
+    setup.lines.push_back(number);
+    setup.wires.push_back(-1);
     system.attachments.push_back(attachment_of(model, line.first, number, LineEnd::first));
     system.attachments.push_back(attachment_of(model, line.second, number, LineEnd::last));
     ++number;
   }
-  // By value: the system may be moved.
-  system.surroundings = [vessel = resting(model.mean_pose), ends = system.attachments](double, Surroundings& now) {
-    now.bodies[kVessel] = vessel;
-    lead_attachments(ends, now);
-  };
+  system.surroundings = resting_surroundings(model.mean_pose, system.attachments);
   return setup;
 }
 
@@ -161,16 +160,31 @@ Vec3 end_place(const Model& model, const LineEndDescription& end) {
       return {end.at.x(), end.at.y(), model.seabed.surface.height(end.at.x(), end.at.y())};
     case LineEndKind::fixed:
     case LineEndKind::water:
+    case LineEndKind::free:
+    case LineEndKind::line:
       break;
   }
   return end.at;
 }
 
+bool has_linked_lines(const Description& description) {
+  return std::ranges::any_of(description.lines, is_linked);
+}
+
 LinesSetup lines_setup(const Model& model) {
+  if (has_linked_lines(model.description)) return linked_lines_setup(model);
   const double k = main_wave_number(model.description.environment);
   const std::vector<FreeLineDescription>& lines = model.description.lines;
   const bool guessed = k <= 0.0 && std::all_of(lines.begin(), lines.end(), is_catenary);
   return setup_on(model, guessed ? std::vector<std::vector<FineStretch>>{} : stretches_at_rest(model, k));
+}
+
+SurroundingsAt resting_surroundings(const VesselPose& pose, const std::vector<Attachment>& attachments) {
+  // By value: the system may be moved.
+  return [vessel = resting(pose), ends = attachments](double, Surroundings& now) {
+    now.bodies[kVessel] = vessel;
+    lead_attachments(ends, now);
+  };
 }
 
 SystemState start_of(const LinesSetup& setup, double time) {

@@ -8,14 +8,21 @@
 namespace overbend {
 
 /// Lines with what holds their ends; `system.surroundings` is that of rest: the vessel in its mean pose, ends at their
-/// mean places. Attachments 2 i and 2 i + 1 are the first and the second end of line i; the vessel is body 0. Points
-/// into `model`, which must outlive it.
+/// mean places. Attachments 2 i and 2 i + 1 are the first and the second end of line i; the vessel is body 0. Where
+/// lines are attached to lines, points of System::bodies are where they meet, and lines without weight are wires of the
+/// system. Points into `model`, which must outlive it.
 struct LinesSetup {
   System system;
   std::vector<std::vector<double>> start;  ///< First guess, six per node, line by line.
+  std::vector<int> lines;                  ///< By the lines of the model: the line of the system, -1 where it is none.
+  std::vector<int> wires;                  ///< The same of its wires.
 };
 
+/// Of lines on lines the first guess is pipe that lies on the bed, with wires long enough to be slack.
 LinesSetup lines_setup(const Model& model);
+
+/// Whether lines of a model hold each other, or have a free end.
+bool has_linked_lines(const Description& description);
 
 /// Such lines at rest: what a run in time starts from.
 struct LinesAtRest {
@@ -26,6 +33,9 @@ struct LinesAtRest {
 
 /// A state with the shapes of the first guess, at rest at `time`.
 SystemState start_of(const LinesSetup& setup, double time);
+
+/// What stands around lines at rest: the vessel in a pose, ends where it or the ground has them.
+SurroundingsAt resting_surroundings(const VesselPose& pose, const std::vector<Attachment>& attachments);
 
 /// Mean place of an end, W [m].
 Vec3 end_place(const Model& model, const LineEndDescription& end);

@@ -64,7 +64,7 @@ bool solve_on_new_mesh(StaticCase& at, const LayShape& shape) {
 }
 
 /// Zones of the mesh as the solution has them.
-MeshZones zones_of(const StaticCase& at, const MeshZones& built, const std::optional<LinePlace>& touchdown) {
+MeshZones zones_of(const StaticCase& at, const MeshZones& built, const std::optional<ElementPlace>& touchdown) {
   MeshZones zones = built;
   const double total = at.system.mesh().total_length();
   if (touchdown) {
@@ -275,7 +275,7 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
     if (!settled_or_kept(at, aside) && start != nullptr && pass == 0) {
       return retry_or({"no line of steady laying found from the last solution", "", ""});
     }
-    const std::optional<LinePlace> touchdown = landing(at.system, at.state);
+    const std::optional<ElementPlace> touchdown = landing(at.system, at.state);
     const MeshZones now = zones_of(at, from.zones, touchdown);
     const bool touches = touchdown.has_value();
     if (!touches && (model.description.pipe.length || pass == kMeshPasses - 1)) {

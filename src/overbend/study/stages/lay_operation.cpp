@@ -9,6 +9,7 @@
 #include "resultfiles/stages/operation_writer.h"
 #include "runstore/staged_folder.h"
 #include "statics/solver/static_obstacle.h"
+#include "study/stages/lift.h"
 #include "study/stages/stage_tension.h"
 
 namespace overbend {
@@ -57,6 +58,7 @@ void copy_head(OperationResults& results, const Description& description) {
 
 OperationResults solve_operation(const Description& description,
                                  const std::function<bool(const StageResult&, std::size_t of)>& told) {
+  if (description.operation.type == OperationType::lift) return solve_lift(description, told);
   const auto begin = std::chrono::steady_clock::now();
   OperationResults results;
   copy_head(results, description);
@@ -73,6 +75,7 @@ OperationResults solve_operation(const Description& description,
 }
 
 std::optional<StaticFailure> operation_obstacle(const Description& description) {
+  if (description.operation.type == OperationType::lift) return std::nullopt;
   for (const LayStageDescription& stage : lay_stages(description)) {
     if (auto obstacle = static_obstacle(at_stage(description, stage))) return obstacle;
   }

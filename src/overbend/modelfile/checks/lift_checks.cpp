@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <map>
+
+#include "base/text.h"
+#include "modelfile/checks/line_checks.h"
+#include "modelfile/checks/model_checks.h"
+
+namespace overbend {
+namespace {
+
+const FieldValue* end_of(const FieldValue& line, std::size_t which) {
+  const std::vector<FieldValue>& ends = Checker::items(line, "ends");
+  return which < ends.size() ? &ends[which] : nullptr;
+}
+
+bool is_pipe(const FieldValue& line) {
+  return std::ranges::any_of(Checker::items(line, "segments"),
+                             [](const FieldValue& segment) { return segment.mentions("steel"); });
+}
+
+/// Lines whose length or tension a stage names have to be there, and not to be pipe.
+void check_values(Checker& check, const FieldValue& stage, const char* key) {
+  const FieldValue* values = stage.find(key);
+  if (values == nullptr) return;
+  const std::vector<FieldValue>& lines = Checker::items(check.root(), "lines");
+  const std::vector<std::string> names = line_names(lines);
+  for (const FieldValue& value : values->children) {
+    const auto found = std::ranges::find(names, value.key);
+    if (found == names.end()) {
+      const std::string near = nearest_word(value.key, names);
+      check.error(value, "the unknown line '" + for_display(value.key) + "'", one_of(names),
+                  near.empty() ? "" : "did you mean '" + near + "'?");
+    } else if (is_pipe(lines[static_cast<std::size_t>(found - names.begin())])) {
+      check.error(value, "a " + std::string(key == std::string("lengths") ? "length" : "tension") + " of pipe",
+                  "one of a line without steel", "pipe is not hauled in by a winch of its own");
+    }
+  }
+}
+
+void check_one_way(Checker& check, const FieldValue& stage) {
+  const FieldValue *lengths = stage.find("lengths"), *tensions = stage.find("tensions");
+  if (lengths == nullptr || tensions == nullptr) return;
+  for (const FieldValue& tension : tensions->children) {
+    for (const FieldValue& length : lengths->children) {
+      if (length.key == tension.key) {
+        check.error(tension, "a length and a tension of '" + for_display(tension.key) + "'", "one of them");
+      }
+    }
+  }
+}
+
+/// The first ends of two pipes, free, that have not been welded before.
+void check_join(Checker& check, const FieldValue& stage, std::map<std::string, int>& joined) {
+  const FieldValue* join = stage.find("join");
+  if (join == nullptr || !join->given) return;
+  const std::vector<FieldValue>& names = Checker::items(*join, "lines");
+  if (names.size() != 2) {
+    check.error(*join, std::to_string(names.size()) + " lines", "the names of two lines");
+    return;
+  }
+  const std::vector<FieldValue>& lines = Checker::items(check.root(), "lines");
+  const std::vector<std::string> known = line_names(lines);
+  if (names[0].text == names[1].text) check.error(names[1], "the same line again", "the name of another");
+  for (const FieldValue& name : names) {
+    const auto found = std::ranges::find(known, name.text);
+    if (found == known.end()) {
+      check_name(check, name, known, "lines");
+      continue;
+    }
+    const FieldValue& line = lines[static_cast<std::size_t>(found - known.begin())];
+    const FieldValue* end = end_of(line, 0);
+    if (!is_pipe(line)) {
+      check.error(name, "a line without steel, " + name.shown, "pipe", "there is nothing to weld");
+    } else if (end != nullptr && !end->mentions("free")) {
+      check.error(name, name.shown + ", whose first end is held", "a line whose first end is free");
+    }
+    const auto [before, fresh] = joined.emplace(name.text, name.line);
+    if (!fresh) {
+      check.error(name, name.shown + " again", "a line that is not welded yet",
+                  "it was joined in line " + std::to_string(before->second));
+    }
+  }
+}
+
+}  // namespace
+
+void check_lift(Checker& check, const FieldValue& operation) {
+  if (Checker::items(check.root(), "lines").empty()) {
+    check.missing(check.root(), "lines", "a list of lines", "a lift is one of lines");
+  }
+  const FieldValue* stages = operation.find("stages");
+  if (!operation.mentions("stages") || (stages != nullptr && !stages->given)) {
+    check.missing(operation, "stages", "a list of stages", "a lift needs it");
+    return;
+  }
+  if (stages == nullptr) return;
+  if (stages->kind == FieldValue::Kind::map) {
+    check.error(*stages, "stages at even steps", "a list of stages", "such are made of lengths of a laid line only");
+    return;
+  }
+  if (stages->children.empty()) check.error(*stages, "an empty list", "at least one stage");
+  std::map<std::string, int> joined;
+  for (const FieldValue& stage : stages->children) {
+    check_values(check, stage, "lengths");
+    check_values(check, stage, "tensions");
+    check_one_way(check, stage);
+    check_join(check, stage, joined);
+  }
+}
+
+}  // namespace overbend

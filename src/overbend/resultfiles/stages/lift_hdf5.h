@@ -1,0 +1,17 @@
+/// A stage of a lift in results.h5.
+#pragma once
+
+#include <string>
+
+#include "resultfiles/hdf5/dataset_sink.h"
+#include "resultfiles/hdf5/hdf5_readers.h"
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// Everything of a stage's state below `group`.
+void write_lift_group(DatasetSink& file, const std::string& group, const StaticResults& results);
+/// The same back. `lines` are those of the lift as far as they are kept there.
+StaticResults read_lift_group(const Hdf5Reader& file, const std::string& group);
+
+}  // namespace overbend

@@ -1,0 +1,120 @@
+#include "statics/recovery/lift_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/shown_unit.h"
+
+namespace overbend {
+namespace {
+
+const FreeLineDescription& described(const Model& model, const std::string& name) {
+  return *std::ranges::find(model.description.lines, name, &FreeLineDescription::name);
+}
+
+/// Place of a free end before anything was lifted, level [m].
+std::optional<double> drawn_back(const Model& model, const LiftedLine& line) {
+  const FreeLineDescription& description = described(model, line.name);
+  if (line.first.free == line.second.free) return std::nullopt;
+  const LiftedEnd &free = line.first.free ? line.first : line.second,
+                  &held = line.first.free ? line.second : line.first;
+  double length = 0.0;
+  for (const LineSegmentDescription& segment : description.segments) length += segment.length.value();
+  return length - (free.at.place - held.at.place).head<2>().norm();
+}
+
+void warn_of_ends(const Model& model, const LiftedLine& line, Findings& findings) {
+  constexpr double kFar = 1.0;  // [m]
+  const std::optional<double> back = drawn_back(model, line);
+  if (!back || *back < kFar) return;
+  findings.push_back(
+      Finding{FindingCode::lifted_end_drawn_back,
+              fmt::format("line \"{}\": its free end has drawn back by {}", line.name, shown(*back, "m", 1))}
+          .on("line " + line.name)
+          .with("distance", *back, "m"));
+}
+
+void warn_of_wire(const LiftResults& lift, const LiftedWire& wire, Findings& findings) {
+  constexpr double kLeans = 0.2618;  // 15 deg
+  constexpr double kSlack = 0.05;    // of the davit that carries most
+  double most = 0.0;
+  for (const LiftedWire& other : lift.davits) {
+    if (other.on == wire.on) most = std::max(most, other.tension_upper);
+  }
+  if (wire.tension_upper <= kSlack * most) {
+    findings.push_back(
+        Finding{FindingCode::davit_slack,
+                fmt::format("line \"{}\": {}, its tension is {}", wire.name,
+                            wire.tension_upper > 0.0 ? "nearly slack" : "slack", shown(wire.tension_upper, "N", 1))}
+            .on("line " + wire.name)
+            .with("tension", wire.tension_upper, "N"));
+    return;
+  }
+  if (wire.from_vertical_upper <= kLeans) return;
+  findings.push_back(Finding{
+      FindingCode::davit_wire_leans,
+      fmt::format("line \"{}\": leans by {} from the vertical", wire.name, shown(wire.from_vertical_upper, "rad", 1))}
+                         .on("line " + wire.name)
+                         .with("angle", wire.from_vertical_upper, "rad"));
+}
+
+void warn_of_yield(const LiftedLine& line, const LiftResults& lift, Findings& findings) {
+  for (const LiftedWire& wire : lift.davits) {
+    if (wire.on != line.name) continue;
+    const auto node = std::ranges::min_element(
+        line.nodes, {}, [&](const LiftedNode& one) { return std::abs(one.at.arc_length - wire.at.arc_length); });
+    if (node->stress <= node->yield_stress) continue;
+    findings.push_back(
+        Finding{FindingCode::yield_at_davit,
+                fmt::format("line \"{}\": its bending stress at \"{}\" is {}, its yield stress {}", line.name,
+                            wire.name, shown(node->stress, "Pa", 0), shown(node->yield_stress, "Pa", 0))}
+            .on("line " + line.name)
+            .with("stress", node->stress, "Pa"));
+  }
+}
+
+void warn_of_weld(const LiftResults& lift, Findings& findings) {
+  if (!lift.join || lift.join->tension >= 0.0) return;
+  findings.push_back(
+      Finding{FindingCode::welded_line_pushed,
+              fmt::format("the welded line is pushed with {} at the weld: it would go sideways, in a bow",
+                          shown(-lift.join->tension, "N", 1))}
+          .with("tension", lift.join->tension, "N"));
+}
+
+}  // namespace
+
+void warn_of_lift(const Model& model, const LiftResults& lift, Findings& findings) {
+  for (const LiftedLine& line : lift.lines) {
+    warn_of_ends(model, line, findings);
+    warn_of_yield(line, lift, findings);
+  }
+  for (const LiftedWire& wire : lift.davits) warn_of_wire(lift, wire, findings);
+  warn_of_weld(lift, findings);
+}
+
+Assumptions lift_assumptions(const Model& model) {
+  Assumptions told = {{AssumptionRank::other,
+                       "Lines on lines: an attachment is a hinge on the axis of the line it is on; pipe is linear "
+                       "elastic, without torsion; its bed bears it along its underside."}};
+  const bool wires = std::ranges::any_of(model.description.lines, [](const FreeLineDescription& line) {
+    return !has_pipe_section(line) && is_weightless(line);
+  });
+  if (wires) {
+    told.push_back({AssumptionRank::other,
+                    "Lines without weight are straight wires, which bear no compression; water does not drag on them, "
+                    "and they do not touch the bed."});
+  }
+  const bool welds = std::ranges::any_of(model.description.operation.lay.stages,
+                                         [](const LayStageDescription& stage) { return stage.join.has_value(); });
+  if (welds) {
+    told.push_back({AssumptionRank::other,
+                    "A weld keeps the angle between its ends, in the vertical plane of the first line; the ends are "
+                    "brought together before they are welded."});
+  }
+  return told;
+}
+
+}  // namespace overbend

@@ -1,0 +1,440 @@
+#include "statics/solver/linked_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/require.h"
+#include "hull/body_kinematics.h"
+#include "statics/initial_shape/cable_start.h"
+#include "statics/initial_shape/lying_shape.h"
+
+namespace overbend {
+namespace {
+
+std::size_t to_size(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+double length_of(const FreeLineDescription& line) {
+  return CableParts{line.segments, line.points}.length();
+}
+
+std::size_t index_of(const std::vector<FreeLineDescription>& lines, const std::string& name) {
+  return static_cast<std::size_t>(std::ranges::find(lines, name, &FreeLineDescription::name) - lines.begin());
+}
+
+/// Makes the system line by line; what a line is attached to comes before it.
+class LinkedSetup {
+ public:
+  explicit LinkedSetup(const Model& model) : model_(model), lines_(model.description.lines), made_(lines_.size()) {
+    setup_.lines.assign(lines_.size(), -1);
+    setup_.wires.assign(lines_.size(), -1);
+    int count = 0;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      if (!is_wire(lines_[i])) setup_.lines[i] = count++;
+    }
+    setup_.system.bodies.resize(1);
+    setup_.system.lines.resize(to_size(count));
+    setup_.system.attachments.resize(2 * to_size(count));
+    setup_.start.resize(to_size(count));
+  }
+
+  LinesSetup make() {
+    for (bool more = true; more;) {
+      more = false;
+      for (std::size_t i = 0; i < lines_.size(); ++i) {
+        if (made_[i] || !stands(lines_[i].first) || !stands(lines_[i].second)) continue;
+        add(i);
+        made_[i] = more = true;
+      }
+    }
+    put_surroundings();
+    return std::move(setup_);
+  }
+
+ private:
+  static bool is_wire(const FreeLineDescription& line) { return !has_pipe_section(line) && is_weightless(line); }
+
+  /// Whether what an end is on has its place.
+  bool stands(const LineEndDescription& end) const {
+    return end.kind != LineEndKind::line || made_[index_of(lines_, end.line)];
+  }
+
+  std::vector<double> places_of_others(const std::string& name) const {
+    std::vector<double> places;
+    for (const FreeLineDescription& other : lines_) {
+      for (const LineEndDescription* end : {&other.first, &other.second}) {
+        if (end->kind == LineEndKind::line && end->line == name) places.push_back(end->arc_length);
+      }
+    }
+    return places;
+  }
+
+  void add(std::size_t i) {
+    const FreeLineDescription& line = lines_[i];
+    if (is_wire(line)) {
+      add_wire(i);
+    } else if (line.first.kind == LineEndKind::free || line.second.kind == LineEndKind::free) {
+      add_lying(i);
+    } else {
+      add_hanging(i);
+    }
+  }
+
+  CableParts parts_of(const FreeLineDescription& line) const {
+    return {line.segments, line.points, places_of_others(line.name)};
+  }
+
+  /// Pipe by what it has to show on the bed, others by the rule of cables.
+  CableMesh mesh_of(const FreeLineDescription& line, const CableParts& parts) const {
+    CableMesh mesh{std::nullopt, line.element, 0.0, {}};
+    if (!mesh.element && parts.has_pipe()) mesh.element = pipe_element(model_, parts);
+    return mesh;
+  }
+
+  /// Straight along the bed from the end that is held, or from where it starts.
+  void add_lying(std::size_t i) {
+    const FreeLineDescription& line = lines_[i];
+    const CableParts parts = parts_of(line);
+    const bool first_free = line.first.kind == LineEndKind::free;
+    const LineEndDescription& held = first_free ? line.second : line.first;
+    const Vec3 place = held.kind == LineEndKind::free ? *line.start : end_point(held);
+    const double sense = first_free ? -1.0 : 1.0;  // of the way from the held end, along the line
+    Vec3 way = model_.drawn_pose.R_WV * Vec3::UnitX() * -sense;
+    if (held.clamped) {
+      way = held.direction;
+    } else if (line.start && held.kind != LineEndKind::free) {
+      way = sense * (*line.start - place);
+    }
+    way.z() = 0.0;
+    way.normalize();
+    const double length = parts.length();
+    const Vec3 other = place + sense * length * way;
+    Line& made = put_line(
+        i, cable_line(model_, parts, mesh_of(line, parts), first_free ? other : place, first_free ? place : other));
+    setup_.start[to_size(setup_.lines[i])] = lying_shape(model_, made, place, way, first_free ? length : 0.0);
+    attach_ends(i);
+  }
+
+  void add_hanging(std::size_t i) {
+    const FreeLineDescription& line = lines_[i];
+    CableParts parts = parts_of(line);
+    const Vec3 first = end_point(line.first), second = end_point(line.second);
+    if (!parts.has_pipe() && is_linked(line)) lengthen(parts, slack_length(length_of(line), (second - first).norm()));
+    const CableStart start = cable_start(model_, parts, first, second);
+    CableMesh mesh = mesh_of(line, parts);
+    mesh.touchdown = start.touchdown();
+    Line& made = put_line(i, cable_line(model_, parts, mesh, first, second));
+    setup_.start[to_size(setup_.lines[i])] = start.shape(made.mesh);
+    attach_ends(i);
+  }
+
+  void add_wire(std::size_t i) {
+    const FreeLineDescription& line = lines_[i];
+    Wire wire;
+    wire.name = line.name;
+    double compliance = 0.0;
+    for (const LineSegmentDescription& segment : line.segments) {
+      compliance += segment.length.value() / segment.type.axial_stiffness;
+    }
+    const auto put_end = [&](const LineEndDescription& end, int& body, Vec3& place) {
+      body = body_of(end);
+      place = body == kGround ? end_point(end) : end.kind == LineEndKind::line ? Vec3(Vec3::Zero()) : end.at;
+    };
+    put_end(line.first, wire.first_body, wire.first);
+    put_end(line.second, wire.second_body, wire.second);
+    wire.length = slack_length(length_of(line), (end_point(line.second) - end_point(line.first)).norm());
+    wire.axial_stiffness = length_of(line) / compliance;
+    setup_.wires[i] = static_cast<int>(setup_.system.wires.size());
+    setup_.system.wires.push_back(wire);
+  }
+
+  /// Long enough not to pull while the pipe lies.
+  static double slack_length(double drawn, double span) { return std::max(drawn, 1.001 * span); }
+
+  static void lengthen(CableParts& parts, double length) {
+    const double share = length / parts.length();
+    for (LineSegmentDescription& segment : parts.segments) segment.length = share * segment.length.value();
+    for (LinePointDescription& point : parts.points) point.at *= share;
+    for (double& place : parts.attached) place *= share;
+  }
+
+  Line& put_line(std::size_t i, Line line) {
+    Line& made = setup_.system.lines[to_size(setup_.lines[i])];
+    made = std::move(line);
+    made.name = lines_[i].name;
+    return made;
+  }
+
+  Vec3 end_point(const LineEndDescription& end) {
+    return end.kind == LineEndKind::line ? setup_.system.bodies[to_size(body_of(end))].free->rest.h.head<3>()
+                                         : end_place(model_, end);
+  }
+
+  /// The body that an end is on, where need be made as a point of the other line.
+  int body_of(const LineEndDescription& end) {
+    if (end.kind == LineEndKind::body) return static_cast<int>(kVessel);
+    if (end.kind != LineEndKind::line) return kGround;
+    const int line = setup_.lines[index_of(lines_, end.line)];
+    const Line& of = setup_.system.lines[to_size(line)];
+    const int node = node_at(of.mesh, end.arc_length);
+    for (const Attachment& held : setup_.system.attachments) {
+      if (held.end == LineEnd::inner && held.line == line && held.node == node) return held.body;
+    }
+    Attachment& held = setup_.system.attachments.emplace_back();
+    held.line = line;
+    held.end = LineEnd::inner;
+    held.node = node;
+    held.hold_place = true;
+    held.body = static_cast<int>(setup_.system.bodies.size());
+    const double* q = setup_.start[to_size(line)].data() + 6 * node;
+    setup_.system.bodies.emplace_back().free = free_point(Eigen::Map<const Vec3>(q), of.force_scale);
+    return held.body;
+  }
+
+  void attach_ends(std::size_t i) {
+    const std::size_t line = to_size(setup_.lines[i]);
+    const std::vector<double>& q = setup_.start[line];
+    setup_.system.attachments[2 * line] = attachment(i, lines_[i].first, LineEnd::first, q.data());
+    setup_.system.attachments[2 * line + 1] = attachment(i, lines_[i].second, LineEnd::last, q.data() + q.size() - 6);
+  }
+
+  Attachment attachment(std::size_t i, const LineEndDescription& end, LineEnd which, const double* q) {
+    Attachment held;
+    held.line = setup_.lines[i];
+    held.end = which;
+    if (end.kind == LineEndKind::free) return held;
+    const Vec3 place = Eigen::Map<const Vec3>(q), tangent = Eigen::Map<const Vec3>(q + 3);
+    held.hold_place = true;
+    held.body = body_of(end);
+    held.place = end.kind == LineEndKind::body   ? end.at
+                 : end.kind == LineEndKind::line ? Vec3(Vec3::Zero())
+                 : has_pipe_section(lines_[i])   ? place
+                                                 : end_place(model_, end);
+    held.hold_direction = end.clamped;
+    if (!end.clamped) return held;
+    held.direction = end.direction.normalized();
+    if (end.kind == LineEndKind::bed && has_pipe_section(lines_[i])) {  // it lies at rest there
+      held.direction = tangent.normalized();
+      held.free_along = model_.seabed.surface.normal(place.x(), place.y());
+    }
+    return held;
+  }
+
+  void put_surroundings() {
+    setup_.system.surroundings = resting_surroundings(model_.mean_pose, setup_.system.attachments);
+  }
+
+  const Model& model_;
+  const std::vector<FreeLineDescription>& lines_;
+  std::vector<bool> made_;
+  LinesSetup setup_;
+};
+
+/// Along the vessel's axes as it lies; a heading turns with the sun.
+VesselPose moved(const VesselPose& pose, const VesselOffset& offset) {
+  VesselPose moved = pose;
+  moved.p_WV += pose.R_WV * Vec3(offset.x, offset.y, 0.0);
+  moved.R_WV = turned_about_z(-offset.heading) * pose.R_WV;
+  return moved;
+}
+
+double mixed(double from, double to, double share) {
+  return from + share * (to - from);
+}
+
+}  // namespace
+
+LinesSetup linked_lines_setup(const Model& model) {
+  return LinkedSetup(model).make();
+}
+
+namespace {
+
+/// A rigid point at the first end of a line, its x axis on along the line to there, rolled upright.
+FreeBody weld_point(const LineState& first, double force_scale) {
+  const Vec3 place = Eigen::Map<const Vec3>(first.q.data());
+  const Vec3 ahead = -Eigen::Map<const Vec3>(first.q.data() + 3).normalized();
+  FreeBody body = free_point(place, force_scale);
+  body.held = {false, false, false, true, false, false};  // nothing twists a line, and nothing holds its roll
+  body.rest.h(4) = -std::asin(std::clamp(ahead.z(), -1.0, 1.0));
+  body.rest.h(5) = std::atan2(ahead.y(), ahead.x());
+  return body;
+}
+
+Vec3 turned_upwards(double kink) {
+  return {std::cos(kink), 0.0, std::sin(kink)};
+}
+
+}  // namespace
+
+LiftPosition drawn_position(const Description& description) {
+  LiftPosition position;
+  for (const FreeLineDescription& line : description.lines) {
+    position.lengths.push_back(length_of(line));
+    position.tensions.emplace_back();
+  }
+  return position;
+}
+
+LinkedLines::LinkedLines(const Model& model)
+    : model_(&model), setup_(linked_lines_setup(model)), state_(start_of(setup_, 0.0)) {
+  position_ = drawn_position(model.description);
+  for (std::size_t i = 0; i < position_.lengths.size(); ++i) {
+    position_.lengths[i] = setup_.wires[i] >= 0 ? setup_.system.wires[to_size(setup_.wires[i])].length
+                                                : setup_.system.lines[to_size(setup_.lines[i])].mesh.total_length();
+  }
+  assembly_.emplace(setup_.system);
+}
+
+/// Makes a body of the two ends as they stand, apart from each other; put() brings them together.
+void LinkedLines::weld(const JoinDescription& join) {
+  const std::vector<FreeLineDescription>& lines = model_->description.lines;
+  System& system = setup_.system;
+  const int first = setup_.lines[index_of(lines, join.first)], second = setup_.lines[index_of(lines, join.second)];
+  const double force_scale = system.lines[to_size(first)].force_scale;
+  const int body = static_cast<int>(system.bodies.size());
+  system.bodies.emplace_back().free = weld_point(state_.lines[to_size(first)], force_scale);
+  const HullState& rest = system.bodies.back().free->rest;
+  const BodyPose pose = pose_of(rest.h);
+  state_.bodies.push_back(rest);
+  const auto clamp = [&](int line, const Vec3& place, const Vec3& direction) -> std::size_t {
+    const std::size_t index = 2 * to_size(line);
+    Attachment& held = system.attachments[index];
+    held.body = body;
+    held.hold_place = held.hold_direction = true;
+    held.place = place;
+    held.direction = direction;
+    const double* tangent = state_.lines[to_size(line)].q.data() + 3;
+    state_.attachments[index].guide = {Eigen::Map<const Vec3>(tangent).norm(), 0.0, 0.0, 0.0};
+    return index;
+  };
+  clamp(first, Vec3::Zero(), -Vec3::UnitX());
+  const std::vector<double>& q = state_.lines[to_size(second)].q;
+  Weld weld;
+  weld.place = pose.R.transpose() * (Vec3(Eigen::Map<const Vec3>(q.data())) - pose.place);
+  weld.direction = pose.R.transpose() * Eigen::Map<const Vec3>(q.data() + 3).normalized();
+  weld.kink = join.kink;
+  weld.attachment = clamp(second, weld.place, weld.direction);
+  welds_.push_back(weld);
+  assembly_.emplace(system);
+}
+
+/// Takes back the last weld().
+void LinkedLines::part() {
+  const std::size_t second = welds_.back().attachment;
+  for (Attachment& held : setup_.system.attachments) {
+    if (held.body != static_cast<int>(setup_.system.bodies.size()) - 1) continue;
+    held.body = kGround;
+    held.hold_place = held.hold_direction = false;
+  }
+  require(setup_.system.attachments[second].body == kGround, "a weld holds two ends");
+  setup_.system.bodies.pop_back();
+  welds_.pop_back();
+  assembly_.emplace(setup_.system);
+}
+
+void LinkedLines::put(const LiftPosition& position) {
+  if (position.joins.size() == welds_.size() && !welds_.empty()) {
+    const Weld& weld = welds_.back();
+    Attachment& second = setup_.system.attachments[weld.attachment];
+    second.place = (1.0 - position.closed) * weld.place;
+    second.direction = (weld.direction + position.closed * (turned_upwards(weld.kink) - weld.direction)).normalized();
+  }
+  for (std::size_t i = 0; i < position.lengths.size(); ++i) {
+    if (setup_.wires[i] >= 0) {
+      Wire& wire = setup_.system.wires[to_size(setup_.wires[i])];
+      wire.length = position.lengths[i];
+      wire.held_tension = position.tensions[i];
+    } else if (Line& line = setup_.system.lines[to_size(setup_.lines[i])];
+               line.mesh.total_length() != position.lengths[i]) {
+      set_length(line, position.lengths[i]);
+    }
+  }
+  setup_.system.surroundings =
+      resting_surroundings(moved(model_->mean_pose, position.vessel), setup_.system.attachments);
+}
+
+bool LinkedLines::rest(const SystemState& laid) {
+  constexpr double kSlowly = 1e9;      // without inertia and damping: friction goes with the way [s]
+  constexpr double kRounding = 1e-15;  // of the axial stiffness: a tangent of length 1 knows its strain no better
+  Equilibrium equilibrium(*assembly_, {LayHistory::monotonic, &laid, kSlowly});
+  NewtonSettings newton;
+  newton.max_iterations = 300;
+  newton.body_step = {5.0, 0.3};
+  for (const Line& line : setup_.system.lines) {
+    const AlignedDoubles& EA = line.elements.EA;
+    const double stiffest = *std::max_element(EA.begin(), EA.begin() + line.elements.count);
+    newton.tolerance = std::max(newton.tolerance, kRounding * stiffest / line.force_scale);
+  }
+  const NewtonReport report = solve_equilibrium(equilibrium, state_, newton);
+  iterations_ += report.iterations;
+  residual_ = report.residual;
+  return report.converged();
+}
+
+LiftPosition LinkedLines::between(const LiftPosition& target, double share) const {
+  LiftPosition position = target;
+  for (std::size_t i = 0; i < target.lengths.size(); ++i) {
+    position.lengths[i] = mixed(position_.lengths[i], target.lengths[i], share);
+    if (!target.tensions[i] || setup_.wires[i] < 0) continue;
+    const double now = assembly_->wires()[to_size(setup_.wires[i])].tension;
+    position.tensions[i] = mixed(now, *target.tensions[i], share);
+  }
+  position.vessel = {mixed(position_.vessel.x, target.vessel.x, share),
+                     mixed(position_.vessel.y, target.vessel.y, share),
+                     mixed(position_.vessel.heading, target.vessel.heading, share)};
+  position.closed = mixed(position_.closed, 1.0, share);
+  return position;
+}
+
+/// A winch that held a tension stops: its wire stays as long as that was.
+void LinkedLines::find_lengths() {
+  for (std::size_t i = 0; i < position_.lengths.size(); ++i) {
+    if (setup_.wires[i] < 0 || !position_.tensions[i]) continue;
+    const Wire& wire = setup_.system.wires[to_size(setup_.wires[i])];
+    const WirePull& pull = assembly_->wires()[to_size(setup_.wires[i])];
+    position_.lengths[i] = pull.span / (1.0 + pull.tension / wire.axial_stiffness);
+    position_.tensions[i].reset();
+  }
+  put(position_);
+}
+
+std::optional<StaticFailure> LinkedLines::bring_to(const LiftPosition& target) {
+  constexpr double kShortest = 1.0 / 1024.0;
+  const double longest = model_->seabed.friction_axial > 0.0 ? 0.25 : 1.0;
+  const LiftPosition from = position_;
+  const SystemState at_first = state_;
+  const bool welds = target.joins.size() > welds_.size();
+  if (welds) {
+    weld(target.joins.back());
+    position_.joins = target.joins;
+    position_.closed = 0.0;
+  }
+  double part = longest;
+  for (double done = 0.0; done < 1.0;) {
+    part = std::min(part, 1.0 - done);
+    const LiftPosition here = position_, next = between(target, part / (1.0 - done));
+    const SystemState laid = state_;
+    put(next);
+    if (rest(laid)) {
+      position_ = next;
+      done = part >= 1.0 - done ? 1.0 : done + part;
+      part = std::min(2.0 * part, longest);
+      continue;
+    }
+    state_ = laid;
+    put(here);
+    part *= 0.5;
+    if (part >= kShortest) continue;
+    if (welds) this->part();
+    position_ = from;
+    state_ = at_first;
+    put(position_);
+    return StaticFailure{"no equilibrium was found", "", "the lines do not come to rest on the way there"};
+  }
+  find_lengths();
+  return std::nullopt;
+}
+
+}  // namespace overbend

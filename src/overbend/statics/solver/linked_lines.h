@@ -1,0 +1,73 @@
+/// Lines that hold each other: ends on other lines, free ends, wires without weight. They rest together.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "statics/solver/lines_setup.h"
+#include "statics/solver/statics.h"
+
+namespace overbend {
+
+/// What the lines and the vessel are brought to, by the lines of the model.
+struct LiftPosition {
+  std::vector<double> lengths;                  ///< Unstressed [m].
+  std::vector<std::optional<double>> tensions;  ///< At the upper end, in place of a length [N].
+  VesselOffset vessel;
+  std::vector<JoinDescription> joins;  ///< In the order in which they are made.
+  double closed = 1.0;                 ///< Share of the gap of the last of them that is closed.
+};
+
+/// See lines_setup().
+LinesSetup linked_lines_setup(const Model& model);
+
+/// Linked lines at rest with what is welded, brought from position to position. Friction of the bed goes with the way.
+class LinkedLines {
+ public:
+  /// Pipe on the bed, wires slack. `model` must outlive this.
+  explicit LinkedLines(const Model& model);
+  LinkedLines(const LinkedLines&) = delete;
+  LinkedLines& operator=(const LinkedLines&) = delete;
+
+  /// Brings all to a position, in as many parts of the way as the equations ask for. Where a position cannot be
+  /// reached all stays where it was. Lengths found of tensions stay: see position().
+  std::optional<StaticFailure> bring_to(const LiftPosition& target);
+
+  const LiftPosition& position() const { return position_; }
+  const LinesSetup& setup() const { return setup_; }
+  const SystemState& state() const { return state_; }
+  /// Stands evaluated at the state.
+  const Assembly& assembly() const { return *assembly_; }
+  double residual() const { return residual_; }
+  int iterations() const { return iterations_; }
+
+ private:
+  /// Two first ends held by a point of their own: the second's place and direction in its frame as they were before.
+  struct Weld {
+    std::size_t attachment = 0;
+    Vec3 place = Vec3::Zero(), direction = Vec3::UnitX();
+    double kink = 0.0;
+  };
+
+  void weld(const JoinDescription& join);
+  void part();
+  void put(const LiftPosition& position);
+  bool rest(const SystemState& laid);
+  LiftPosition between(const LiftPosition& target, double share) const;
+  void find_lengths();
+
+  const Model* model_;
+  LinesSetup setup_;
+  std::optional<Assembly> assembly_;
+  SystemState state_;
+  LiftPosition position_;
+  std::vector<Weld> welds_;
+  double residual_ = 0.0;
+  int iterations_ = 0;
+};
+
+/// The position that a model has as drawn.
+LiftPosition drawn_position(const Description& description);
+
+}  // namespace overbend

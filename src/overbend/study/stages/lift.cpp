@@ -1,0 +1,87 @@
+#include "study/stages/lift.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/version.h"
+#include "checks/lift_rows.h"
+#include "model/model_findings.h"
+#include "statics/recovery/lift_findings.h"
+#include "statics/recovery/lift_recovery.h"
+#include "statics/recovery/lines_recovery.h"
+
+namespace overbend {
+namespace {
+
+std::size_t index_of(const Description& description, const std::string& name) {
+  const auto found = std::ranges::find(description.lines, name, &FreeLineDescription::name);
+  return static_cast<std::size_t>(found - description.lines.begin());
+}
+
+/// What a stage asks for, from where the lines are: what it does not name stays.
+LiftPosition asked(const Description& description, const LayStageDescription& stage, LiftPosition position) {
+  for (const LineValue& length : stage.lengths) position.lengths[index_of(description, length.line)] = length.value;
+  for (const LineValue& tension : stage.tensions)
+    position.tensions[index_of(description, tension.line)] = tension.value;
+  if (stage.vessel) position.vessel = *stage.vessel;
+  if (stage.join) position.joins.push_back(*stage.join);
+  return position;
+}
+
+/// The first weld that is still to be made.
+const JoinDescription* next_join(const Description& description, std::size_t stage) {
+  const std::vector<LayStageDescription>& stages = description.operation.lay.stages;
+  for (std::size_t i = stage; i < stages.size(); ++i) {
+    if (stages[i].join) return &*stages[i].join;
+  }
+  return nullptr;
+}
+
+/// A stage is a model at rest, told in the same words as lines by themselves.
+StaticResults results_of(const Model& model, const LinkedLines& lines, const JoinDescription* join) {
+  StaticResults results;
+  results.title = model.description.title;
+  results.version = kVersion;
+  results.findings = model_findings(model);
+  results.assumptions = lift_assumptions(model);
+  results.lines = recover_linked_lines(model, lines);
+  results.lift = recover_lift(model, lines, join);
+  warn_of_lift(model, *results.lift, results.findings);
+  results.checks = check_lift(model.description, results);
+  return results;
+}
+
+StageFailure failure_of(const StaticFailure& failure) {
+  return {failure.what, failure.where, failure.why, std::nullopt};
+}
+
+}  // namespace
+
+OperationResults solve_lift(const Description& description,
+                            const std::function<bool(const StageResult&, std::size_t of)>& told) {
+  const auto begin = std::chrono::steady_clock::now();
+  OperationResults results;
+  results.title = description.title;
+  results.version = kVersion;
+  results.type = description.operation.type;
+  const Model model = build_model(description);
+  LinkedLines lines(model);
+  const std::vector<LayStageDescription>& stages = description.operation.lay.stages;
+  LiftPosition last = drawn_position(description);  // of which the first stage may name nothing
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    StageResult& stage = results.stages.emplace_back();
+    stage.stage = stages[i];
+    if (stage.stage.name.empty()) stage.stage.name = "stage " + std::to_string(i + 1);
+    const LiftPosition target = asked(description, stages[i], i == 0 ? last : lines.position());
+    if (const std::optional<StaticFailure> failure = lines.bring_to(target)) {
+      stage.failure = failure_of(*failure);
+    } else {
+      stage.lay = results_of(model, lines, next_join(description, i + 1));
+    }
+    if (told && !told(stage, stages.size())) break;
+  }
+  results.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return results;
+}
+
+}  // namespace overbend
