@@ -39,8 +39,8 @@ struct LiftedEnd {
 /// A line that bends: a node of it.
 struct LiftedNode {
   LinePlace at;
-  double tension = 0.0;                     ///< Effective, on the side of the second end [N].
-  double shear = 0.0;                       ///< Of that side on the other, square to the axis, up [N].
+  double tension = 0.0;                     ///< Effective, on the side of the first end [N].
+  double shear = 0.0;                       ///< Of the other side on that, square to the axis, up [N].
   double sagging = 0.0, sideways = 0.0;     ///< Bending moments [N m].
   double stress = 0.0, yield_stress = 0.0;  ///< Of bending, and what the steel bears; 0 where there is none [Pa].
   double wall_area = 0.0;                   ///< Of the steel [m2].

@@ -17,8 +17,8 @@ void visit_line_place(Row& r, Visit& visit) {
 template <class Row, class Visit>
 void visit_lifted_node(Row& r, Visit& visit) {
   visit_line_place(r.at, visit);
-  visit(ResultField{"tension", "N", "Effective tension, on the side of the second end"}, r.tension);
-  visit(ResultField{"shear", "N", "Force of that side on the other, square to the axis, up"}, r.shear);
+  visit(ResultField{"tension", "N", "Effective tension, on the side of the first end"}, r.tension);
+  visit(ResultField{"shear", "N", "Force of the other side on that, square to the axis, up"}, r.shear);
   visit(ResultField{"sagging_moment", "N m", "Bending moment in the vertical plane, sagging positive"}, r.sagging);
   visit(ResultField{"sideways_moment", "N m", "Bending moment square to that"}, r.sideways);
   visit(ResultField{"bending_stress", "Pa", "Largest bending stress of the steel"}, r.stress);

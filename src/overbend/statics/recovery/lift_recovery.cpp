@@ -268,8 +268,8 @@ LiftedWire recover_wire(const Model& model, const LinkedLines& lines, std::size_
   const Solved line = solved_line(model, lines, end.line);
   const int node = attached_node(model, line, end);
   const Vec3 tangent = line.tangent(to_size(node)), up = up_across(tangent);
-  const Vec3 behind = cut_at_node(line.assembly.cuts(), line.q, to_size(node)).force;
-  const Vec3 before = behind + Vec3Map(line.assembly.held_force(node).data());
+  const Vec3 before = cut_at_node(line.assembly.cuts(), line.q, to_size(node)).force;
+  const Vec3 behind = before - Vec3Map(line.assembly.held_force(node).data());
   const LiftedNode there = node_of(line, to_size(node));
   out.at = there.at;
   out.moment = there.sagging;
@@ -296,7 +296,8 @@ Weld weld_of(const Model& model, const LinkedLines& lines, const JoinDescription
   weld.at = first.at_node(0);
   weld.tension = force.dot(along);
   weld.shear = force.dot(up_across(along));
-  weld.moment = node_of(first, 0).sagging;
+  const Vec3 turned = first.tangent(0).cross(Vec3Map(first.assembly.held_force(0).data() + 3));
+  weld.moment = -turned.dot(first.tangent(0).cross(up_across(first.tangent(0))));
   return weld;
 }
 
@@ -351,6 +352,13 @@ LiftResults recover_lift(const Model& model, const LinkedLines& lines, const Joi
     if (has_pipe_section(line)) results.lines.push_back(recover_line(model, lines, i));
     const bool on_another = line.first.kind == LineEndKind::line || line.second.kind == LineEndKind::line;
     if (on_another && !has_pipe_section(line)) results.davits.push_back(recover_wire(model, lines, i));
+  }
+  for (const LiftedWire& wire : results.davits) {  // the tension of a node is that of one of its sides
+    for (LiftedLine& line : results.lines) {
+      if (line.name != wire.on) continue;
+      line.largest_tension = std::max({line.largest_tension, wire.tension_before, wire.tension_after});
+      line.least_tension = std::min({line.least_tension, wire.tension_before, wire.tension_after});
+    }
   }
   if (next != nullptr) results.gap = gap_of(model, lines, *next);
   if (!lines.position().joins.empty()) results.join = weld_of(model, lines, lines.position().joins.back());

@@ -239,6 +239,19 @@ VesselPose moved(const VesselPose& pose, const VesselOffset& offset) {
   return moved;
 }
 
+/// What rounding of the places makes of the forces on a node, over the force scale of the line: its elements are stiff.
+double rounding_of(const Line& line, const std::vector<double>& q) {
+  constexpr double kOfPlace = 1e-15;  // of the furthest coordinate
+  double furthest = 1.0, stiffest = 0.0;
+  for (std::size_t node = 0; node < line.mesh.s.size(); ++node) {
+    for (std::size_t k = 0; k < 3; ++k) furthest = std::max(furthest, std::abs(q[6 * node + k]));
+  }
+  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
+    stiffest = std::max(stiffest, line.elements.EA[e] / line.mesh.length[e]);
+  }
+  return kOfPlace * furthest * stiffest / line.force_scale;
+}
+
 double mixed(double from, double to, double share) {
   return from + share * (to - from);
 }
@@ -357,15 +370,12 @@ void LinkedLines::put(const LiftPosition& position) {
 
 bool LinkedLines::rest(const SystemState& laid) {
   constexpr double kSlowly = 1e9;      // without inertia and damping: friction goes with the way [s]
-  constexpr double kRounding = 1e-15;  // of the axial stiffness: a tangent of length 1 knows its strain no better
   Equilibrium equilibrium(*assembly_, {LayHistory::monotonic, &laid, kSlowly});
   NewtonSettings newton;
   newton.max_iterations = 300;
   newton.body_step = {5.0, 0.3};
-  for (const Line& line : setup_.system.lines) {
-    const AlignedDoubles& EA = line.elements.EA;
-    const double stiffest = *std::max_element(EA.begin(), EA.begin() + line.elements.count);
-    newton.tolerance = std::max(newton.tolerance, kRounding * stiffest / line.force_scale);
+  for (std::size_t i = 0; i < state_.lines.size(); ++i) {
+    newton.tolerance = std::max(newton.tolerance, rounding_of(setup_.system.lines[i], state_.lines[i].q));
   }
   const NewtonReport report = solve_equilibrium(equilibrium, state_, newton);
   iterations_ += report.iterations;
@@ -377,7 +387,11 @@ LiftPosition LinkedLines::between(const LiftPosition& target, double share) cons
   LiftPosition position = target;
   for (std::size_t i = 0; i < target.lengths.size(); ++i) {
     position.lengths[i] = mixed(position_.lengths[i], target.lengths[i], share);
-    if (!target.tensions[i] || setup_.wires[i] < 0) continue;
+    if (!target.tensions[i]) continue;
+    if (setup_.wires[i] < 0) {  // hauled to its tension afterwards
+      position.tensions[i].reset();
+      continue;
+    }
     const double now = assembly_->wires()[to_size(setup_.wires[i])].tension;
     position.tensions[i] = mixed(now, *target.tensions[i], share);
   }
@@ -400,9 +414,56 @@ void LinkedLines::find_lengths() {
   put(position_);
 }
 
+/// At the upper end of a line with weight [N].
+double LinkedLines::upper_tension(std::size_t line) const {
+  const std::vector<double>& q = state_.lines[line].q;
+  const LineEnd upper = q[2] >= q[q.size() - 4] ? LineEnd::first : LineEnd::last;
+  return Eigen::Map<const Vec3>(assembly_->line(line).end_force(upper).data()).norm();
+}
+
+/// The lengths with which lines with weight have the tensions asked for at their upper ends: Newton's method, the
+/// derivatives by differences.
+bool LinkedLines::haul_to_tensions(const LiftPosition& target) {
+  constexpr int kMost = 30;
+  constexpr double kClose = 1e-7, kDifference = 1e-4, kLongestStep = 0.05;  // of tension, of length
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < target.tensions.size(); ++i) {
+    if (target.tensions[i] && setup_.lines[i] >= 0) which.push_back(i);
+  }
+  const auto n = static_cast<Eigen::Index>(which.size());
+  const auto errors = [&] {
+    Eigen::VectorXd error(n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const std::size_t i = which[static_cast<std::size_t>(k)];
+      error(k) = upper_tension(to_size(setup_.lines[i])) / *target.tensions[i] - 1.0;
+    }
+    return error;
+  };
+  for (int round = 0; n > 0 && round < kMost; ++round) {
+    const Eigen::VectorXd error = errors();
+    if (error.cwiseAbs().maxCoeff() < kClose) return true;
+    Eigen::MatrixXd slope(n, n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const SystemState here = state_;
+      const LiftPosition position = position_;
+      LiftPosition other = position_;
+      other.lengths[which[static_cast<std::size_t>(k)]] *= 1.0 - kDifference;
+      if (travel(other)) return false;
+      slope.col(k) = (errors() - error) / -kDifference;  // by the logarithm of the length
+      position_ = position;
+      state_ = here;
+      put(position_);
+    }
+    const Eigen::VectorXd step = slope.partialPivLu().solve(-error);
+    const double share = std::min(1.0, kLongestStep / step.cwiseAbs().maxCoeff());
+    LiftPosition next = position_;
+    for (Eigen::Index k = 0; k < n; ++k) next.lengths[which[static_cast<std::size_t>(k)]] *= 1.0 + share * step(k);
+    if (travel(next)) return false;
+  }
+  return n == 0;
+}
+
 std::optional<StaticFailure> LinkedLines::bring_to(const LiftPosition& target) {
-  constexpr double kShortest = 1.0 / 1024.0;
-  const double longest = model_->seabed.friction_axial > 0.0 ? 0.25 : 1.0;
   const LiftPosition from = position_;
   const SystemState at_first = state_;
   const bool welds = target.joins.size() > welds_.size();
@@ -411,6 +472,25 @@ std::optional<StaticFailure> LinkedLines::bring_to(const LiftPosition& target) {
     position_.joins = target.joins;
     position_.closed = 0.0;
   }
+  std::optional<StaticFailure> failure = travel(target);
+  if (!failure && !haul_to_tensions(target)) {
+    failure = StaticFailure{"no equilibrium was found", "", "no length of the lines gives the tensions asked for"};
+  }
+  if (!failure) {
+    find_lengths();
+    return std::nullopt;
+  }
+  if (welds) part();
+  position_ = from;
+  state_ = at_first;
+  put(position_);
+  return failure;
+}
+
+/// Brings all there in parts; stops where a part cannot be reached however small it is.
+std::optional<StaticFailure> LinkedLines::travel(const LiftPosition& target) {
+  constexpr double kShortest = 1.0 / 1024.0;
+  const double longest = model_->seabed.friction_axial > 0.0 ? 0.25 : 1.0;
   double part = longest;
   for (double done = 0.0; done < 1.0;) {
     part = std::min(part, 1.0 - done);
@@ -426,14 +506,10 @@ std::optional<StaticFailure> LinkedLines::bring_to(const LiftPosition& target) {
     state_ = laid;
     put(here);
     part *= 0.5;
-    if (part >= kShortest) continue;
-    if (welds) this->part();
-    position_ = from;
-    state_ = at_first;
-    put(position_);
-    return StaticFailure{"no equilibrium was found", "", "the lines do not come to rest on the way there"};
+    if (part < kShortest) {
+      return StaticFailure{"no equilibrium was found", "", "the lines do not come to rest on the way there"};
+    }
   }
-  find_lengths();
   return std::nullopt;
 }
 

@@ -55,6 +55,9 @@ class LinkedLines {
   void put(const LiftPosition& position);
   bool rest(const SystemState& laid);
   LiftPosition between(const LiftPosition& target, double share) const;
+  std::optional<StaticFailure> travel(const LiftPosition& target);
+  double upper_tension(std::size_t line) const;
+  bool haul_to_tensions(const LiftPosition& target);
   void find_lengths();
 
   const Model* model_;
