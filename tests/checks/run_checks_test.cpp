@@ -451,5 +451,27 @@ TEST(run_checks, the_api_edition_changes_the_factor_on_collapse) {
   EXPECT_NEAR(input(fourth, "f_c"), 0.6 * (1.0 + 20.0 * 0.0025), 1e-12);
 }
 
+TEST(run_checks, lines_have_the_sheet_and_the_remark_on_a_short_run_that_every_row_has) {
+  const Model model = build_model(read_model(OVERBEND_SOURCE_DIR "/examples/jumper.yaml").description.value());
+  StaticResults statics;
+  LineResult& line = statics.lines.emplace_back();
+  line.utilisation = 0.2;
+  line.largest_tension = 50e3;
+  DynamicResults run;
+  run.duration = 1800.0;
+  LineDynamics& moved = run.lines.emplace_back();
+  moved.utilisation = 0.3;
+  moved.largest_tension = 75e3;
+  const CheckTable rest = check_statics(model, statics), table = check_dynamics(model, statics, run);
+  ASSERT_EQ(rest.rows.size(), 1U);
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_DOUBLE_EQ(rest.rows.front().sheet.back().value, 0.2 * 2.0);
+  EXPECT_DOUBLE_EQ(table.rows.front().sheet.back().value, 0.3 * 1.67);
+  EXPECT_EQ(rest.rows.front().remark.find("three hours"), std::string::npos);
+  EXPECT_NE(table.rows.front().remark.find("from 30 min of a run"), std::string::npos);
+  EXPECT_TRUE(table.assumptions.empty());
+  EXPECT_TRUE(table.along.s.empty());
+}
+
 }  // namespace
 }  // namespace overbend

@@ -111,6 +111,7 @@ void assume_api(Assumptions& list, const CheckStations& all, const CheckSettings
 
 Assumptions check_assumptions(const CheckStations& all, const CheckSettings& settings) {
   Assumptions list;
+  if (all.sections.empty()) return list;
   if (std::any_of(all.sections.begin(), all.sections.end(), [](const CheckSection& s) { return s.cable; })) {
     list.push_back(
         {AssumptionRank::other,

@@ -192,6 +192,7 @@ void add_route(std::vector<CheckRow>& rows, const StaticResults& statics) {
 std::vector<CheckRow> equipment_rows(const Model& model, const StaticResults& statics, const DynamicResults* dynamics) {
   const EquipmentLimits& limits = model.description.checks.limits;
   std::vector<CheckRow> rows;
+  if (!statics.has_pipe()) return rows;
   add_rollers(rows, model, statics, dynamics);
   if (limits.tension) add_tension(rows, *limits.tension, statics, dynamics);
   if (limits.tip_clearance) add_tip(rows, *limits.tip_clearance, statics, dynamics);

@@ -74,7 +74,7 @@ void say_where_tip_begins(std::vector<CheckRow>& rows, const StaticResults& stat
   }
 }
 
-/// Of the pipe by the codes; none of a line that has none.
+/// Of the pipe by the codes; none without one.
 std::vector<CheckRow> rows_of_pipe(const CheckStations& all, const CheckSettings& settings) {
   std::vector<CheckRow> rows;
   if (all.stations.empty()) return rows;
@@ -84,6 +84,7 @@ std::vector<CheckRow> rows_of_pipe(const CheckStations& all, const CheckSettings
   return rows;
 }
 
+/// Of every object that is there. `dynamics`: of a run from that rest, or null.
 CheckTable table_of(const Model& model, const StaticResults& statics, const DynamicResults* dynamics,
                     const CheckStations& all) {
   const CheckSettings& settings = model.description.checks;
@@ -93,6 +94,7 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
   const auto pipe_rows = static_cast<std::ptrdiff_t>(table.rows.size());
   append(table.rows, equipment_rows(model, statics, dynamics));
   if (statics.moorings) append(table.rows, mooring_rows(model.description, *statics.moorings, dynamics));
+  append(table.rows, line_rows(model.description, statics.lines, dynamics != nullptr ? &dynamics->lines : nullptr));
   if (dynamics != nullptr && dynamics->duration < kThreeHours) {
     for (auto row = table.rows.begin(); row != table.rows.end(); ++row) {
       if (row->in_time || row - table.rows.begin() >= pipe_rows) say_duration(*row, dynamics->duration);
@@ -104,20 +106,6 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
   }
   table.along = utilisations_along(all, settings);
   table.assumptions = check_assumptions(all, settings);
-  return table;
-}
-
-/// Of mooring lines, anchors and lines that stand by themselves. `dynamics`: of a run from that rest, or null.
-CheckTable table_without_pipe(const Description& description, const StaticResults& statics,
-                              const DynamicResults* dynamics) {
-  CheckTable table;
-  if (statics.moorings) table.rows = mooring_rows(description, *statics.moorings, dynamics);
-  if (statics.moorings && dynamics != nullptr && dynamics->duration < kThreeHours) {
-    for (CheckRow& row : table.rows) say_duration(row, dynamics->duration);
-  }
-  const std::vector<CheckRow> lines =
-      line_rows(description, statics.lines, dynamics != nullptr ? &dynamics->lines : nullptr);
-  table.rows.insert(table.rows.end(), lines.begin(), lines.end());
   return table;
 }
 
@@ -138,12 +126,10 @@ void put(CheckTable table, Results& results) {
 }  // namespace
 
 CheckTable check_statics(const Model& model, const StaticResults& statics) {
-  if (!statics.has_pipe()) return table_without_pipe(model.description, statics, nullptr);
   return table_of(model, statics, nullptr, static_stations(model, statics));
 }
 
 CheckTable check_dynamics(const Model& model, const StaticResults& statics, const DynamicResults& dynamics) {
-  if (!statics.has_pipe()) return table_without_pipe(model.description, statics, &dynamics);
   return table_of(model, statics, &dynamics, dynamic_stations(model, statics, dynamics));
 }
 

@@ -275,8 +275,7 @@ struct StaticResults {
   std::vector<LineResult> lines;           ///< That stand by themselves.
   std::optional<MooringResults> moorings;  ///< Of a vessel on mooring lines: where it lies, and the lines.
 
-  /// Without one they are those of a hull on its moorings, or of lines: all of a pipe is empty.
-  bool has_pipe() const { return !stations.empty() || (!moorings && lines.empty()); }
+  bool has_pipe() const { return !stations.empty(); }  ///< Whether a laid pipe is among the objects.
 };
 
 }  // namespace overbend

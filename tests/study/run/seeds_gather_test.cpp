@@ -108,9 +108,11 @@ TEST(seeds_gather, the_deviation_is_that_of_a_sample) {
 }
 
 TEST(seeds_gather, a_j_lay_has_values_of_the_sagbend_alone) {
-  const StaticResults statics;  // no overbend, supports, tip
+  StaticResults statics;  // no overbend, supports, tip
+  statics.stations.resize(1);
   const std::vector<SeedQuantity> quantities = seed_quantities(statics);
   EXPECT_EQ(quantities.size(), seed_values(statics, DynamicResults{}).size());
+  EXPECT_EQ(quantities.front().name, "top_tension_max");
   for (const SeedQuantity& quantity : quantities) {
     EXPECT_EQ(quantity.name.find("overbend"), std::string::npos);
     EXPECT_EQ(quantity.name.find("impact"), std::string::npos);
