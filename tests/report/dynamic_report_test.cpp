@@ -33,7 +33,7 @@ std::string page_of(const DynamicResults& results) {
 }
 
 Json data_of(const DynamicResults& results) {
-  return read_json(report_data(bgl1().results, &results))["dynamic"];
+  return report_data(bgl1().results, &results)["dynamic"];
 }
 
 /// The section with this id.
@@ -303,7 +303,7 @@ TEST(dynamic_report_data, what_is_not_finite_does_not_break_the_page) {
   results.histories.front().high.back() = std::numeric_limits<double>::quiet_NaN();
   results.von_mises.max.front() = infinity;
   results.supports.front().separation.min = infinity;
-  const std::string data = report_data(bgl1().results, &results);
+  const std::string data = json_text(report_data(bgl1().results, &results));
   EXPECT_TRUE(Json::accept(data));
   for (const char* word : {"NaN", "nan", "Infinity", "inf,"}) {
     EXPECT_EQ(data.find(word), std::string::npos) << word;

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <regex>
 
-#include "base/json.h"
 #include "report/bgl1_results.h"
 #include "report/page/html.h"
 #include "report/page/places.h"
@@ -138,7 +137,7 @@ TEST(report, is_written_beside_and_renamed) {
 
 TEST(report_data, keeps_the_extremes_and_runs_from_the_tensioner) {
   const StaticResults& results = bgl1().results;
-  const Json data = read_json(report_data(results));
+  const Json data = report_data(results);
   const std::vector<double> s = data["stations"]["s"];
   const std::vector<double> mises = data["stations"]["von_mises"];
   EXPECT_DOUBLE_EQ(s.front(), 0.0);
@@ -160,7 +159,7 @@ TEST(report_data, thins_a_very_long_line_but_keeps_its_peaks) {
     at.region = Region::sagbend;
     results.stations.push_back(at);
   }
-  const Json data = read_json(report_data(results));
+  const Json data = report_data(results);
   const std::vector<double> mises = data["stations"]["von_mises"];
   EXPECT_LT(mises.size(), 3000u);
   EXPECT_DOUBLE_EQ(*std::max_element(mises.begin(), mises.end()), 300e6);

@@ -1,5 +1,7 @@
 #include "model/vessel/station.h"
 
+#include <algorithm>
+
 namespace overbend {
 
 bool has_mooring_lines(const Description& description) {
@@ -12,6 +14,14 @@ bool hull_is_free(const Description& description) {
 
 bool is_positioned(const Description& description) {
   return description.station_keeping && hull_is_free(description);
+}
+
+bool has_vessel(const Description& description) {
+  const auto held = [](const FreeLineDescription& line) {
+    return line.first.kind == LineEndKind::body || line.second.kind == LineEndKind::body;
+  };
+  return description.has_pipe || description.moorings || description.lines.empty() ||
+         std::ranges::any_of(description.lines, held);
 }
 
 const MooringsDescription& moorings_of(const Description& description) {

@@ -18,6 +18,9 @@ inline bool has_station(const Description& description) {
   return has_mooring_lines(description) || is_positioned(description);
 }
 
+/// Whether something is on a vessel: lines by themselves need none.
+bool has_vessel(const Description& description);
+
 /// The model's moorings; of no lines where it has none.
 const MooringsDescription& moorings_of(const Description& description);
 

@@ -117,24 +117,24 @@ Json impact_data(const ReportStyle& style, const DynamicResults& results) {
   return all;
 }
 
+void add_pipe(const ReportStyle& style, const StaticResults& statics, const DynamicResults& results,
+              JsonWriter<ReportStyle>& data) {
+  data["envelopes"] = envelope_data(style, results);
+  data["overbend"] = statics.overbend ? region_data(style, statics, results.overbend) : Json(nullptr);
+  data["tower"] = statics.tower ? region_data(style, statics, results.tower) : Json(nullptr);
+  data["sagbend"] = region_data(style, statics, results.sagbend);
+  data["supports"] = style.rows(results.supports, [&](const SupportDynamics& box) { return support_data(style, box); });
+  data["impacts"] = impact_data(style, results);
+  data["fatigue"] = fatigue_figure_data(statics, results);
+}
+
 }  // namespace
 
 Json dynamic_figure_data(const StaticResults& statics, const DynamicResults& results) {
   const ReportStyle style(statics);
   JsonWriter data(style);
-  if (statics.has_pipe()) {
-    visit_dynamic_keys(results, data, false);
-    data["envelopes"] = envelope_data(style, results);
-    data["overbend"] = statics.overbend ? region_data(style, statics, results.overbend) : Json(nullptr);
-    data["tower"] = statics.tower ? region_data(style, statics, results.tower) : Json(nullptr);
-    data["sagbend"] = region_data(style, statics, results.sagbend);
-    data["supports"] =
-        style.rows(results.supports, [&](const SupportDynamics& box) { return support_data(style, box); });
-    data["impacts"] = impact_data(style, results);
-    data["fatigue"] = fatigue_figure_data(statics, results);
-  } else {
-    visit_dynamic_settings(results, data);
-  }
+  visit_dynamic_settings(results, data);
+  if (statics.has_pipe()) add_pipe(style, statics, results, data);
   data["histories"] = history_data(statics, results);
   data["spectra"] = spectrum_data(results);
   data["vessel"] = results.vessel ? vessel_figure_data(*results.vessel) : Json(nullptr);

@@ -7,8 +7,8 @@
 namespace overbend {
 namespace {
 
-const std::vector<Figure>& all_figures() {
-  static const std::vector<Figure> kFigures = {
+std::vector<Figure> all_figures(bool pipe) {
+  return {
       {"envelope_mises",
        "Dynamic von Mises stress: range over time (band), mean and static value",
        {"whole", "overbend"}},
@@ -39,15 +39,22 @@ const std::vector<Figure>& all_figures() {
       {"history",
        "Time history of the hinges of the stinger: forces on the section, moment of the stops",
        {"stinger_hinge"}},
-      {"history", "Pull-ahead in time: the vessel, the tensioner and the pipe below each other", {"operation"}},
-      {"history", "Time history of wave elevation at the stern shoe", {"wave"}},
-      {"history", "Time histories of vessel motion", {"motions"}, true},
+      {"history",
+       pipe ? "Pull-ahead in time: the vessel, the tensioner and the pipe below each other"
+            : "Pull-ahead in time: the vessel from as drawn; the build-up is shaded",
+       {"operation"}},
+      {"history",
+       pipe ? "Time history of wave elevation at the stern shoe" : "Time history of wave elevation at midship",
+       {"wave"}},
+      {"history",
+       pipe ? "Time histories of vessel motion" : "Time histories of vessel motion; the build-up is shaded",
+       {"motions"},
+       true},
       {"spectra", "Spectra of motions and loads; the upper scale is the period", {"all"}, true},
       {"ranges", "Reactions of the rollers over time, per row: range, mean and static value", {"bars"}},
       {"shares", "Fraction of time in contact, per row; \u00d7 marks a roller that the pipe never touches", {"bars"}},
       {"impacts", "Hardest impacts between pipe and rollers", {"time", "velocity"}},
   };
-  return kFigures;
 }
 
 }  // namespace
@@ -63,10 +70,10 @@ std::string dynamic_figures_section(const StaticResults& statics, const DynamicR
     if (id == "history") return groups.count(part) != 0;
     if (id == "spectra") return !spectrum_data(results).empty();
     if (id == "impacts") return !results.hardest_impacts.empty();
-    return part == "whole" || supported;
+    return supported || (part == "whole" && statics.has_pipe());
   };
   return figure_section("dynamic-figures", "Figures of the dynamic analysis",
-                        figure_list(all_figures(), makes_sense, number));
+                        figure_list(all_figures(statics.has_pipe()), makes_sense, number));
 }
 
 }  // namespace overbend

@@ -142,8 +142,11 @@ std::string region_table(const StaticResults& statics, const std::string& captio
 
 }  // namespace
 
-void add_run_entries(const DynamicResults& results, const std::optional<Description>& description,
-                     std::vector<std::pair<std::string, std::string>>& entries) {
+std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticResults& statics,
+                                                                 const DynamicResults& results,
+                                                                 const std::optional<Description>& description,
+                                                                 const std::string& written) {
+  std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics, description);
   if (description) {
     entries.emplace_back("Sea", sea_words(description->environment.waves));
     entries.emplace_back("Vessel motion", motion_words(description->vessel));
@@ -152,15 +155,7 @@ void add_run_entries(const DynamicResults& results, const std::optional<Descript
   entries.emplace_back("Duration",
                        duration_words(results.duration) + " after a build-up of " + duration_words(results.build_up));
   entries.emplace_back("Integrator", results.run.integrator);
-}
-
-std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticResults& statics,
-                                                                 const DynamicResults& results,
-                                                                 const std::optional<Description>& description,
-                                                                 const std::string& written) {
-  std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
-  add_run_entries(results, description, entries);
-  entries.emplace_back("Tensioner", results.tensioner.mode);
+  if (statics.has_pipe()) entries.emplace_back("Tensioner", results.tensioner.mode);
   entries.emplace_back("Status", status_words("completed", all_findings(statics, results).size()));
   entries.emplace_back("Program", "Overbend " + statics.version);
   entries.emplace_back("Written", written);
@@ -168,6 +163,7 @@ std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticRes
 }
 
 std::string dynamic_key_results(const StaticResults& statics, const DynamicResults& results) {
+  if (!statics.has_pipe()) return "";
   std::string body = tiles(statics, results) + "<div class=\"results one\">\n";
   if (has_overbend(statics)) {
     body += region_table(statics, "Overbend: tensioner to the inflection below the last support in contact",

@@ -77,6 +77,7 @@ std::string run_table(const DynamicResults& r) {
 }  // namespace
 
 std::string tensioner_section(const StaticResults& statics, const DynamicResults& results) {
+  if (!statics.has_pipe()) return "";
   const TensionerDynamics& t = results.tensioner;
   const auto share = [&](double time) {
     return fixed(time, 1) + " s, " + fixed(results.duration > 0.0 ? 100.0 * time / results.duration : 0.0, 1) + " %";

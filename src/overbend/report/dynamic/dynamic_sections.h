@@ -16,9 +16,6 @@ std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticRes
                                                                  const DynamicResults& results,
                                                                  const std::optional<Description>& description,
                                                                  const std::string& written);
-/// Of them what every run has: sea, motion, seed, duration, integrator.
-void add_run_entries(const DynamicResults& results, const std::optional<Description>& description,
-                     std::vector<std::pair<std::string, std::string>>& entries);
 std::string dynamic_key_results(const StaticResults& statics, const DynamicResults& results);
 /// Statistics of the key quantities and the most probable extremes.
 std::string dynamic_statistics_section(const StaticResults& statics, const DynamicResults& results);

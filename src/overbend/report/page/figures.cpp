@@ -51,6 +51,7 @@ bool makes_sense(const std::string& part, const StaticResults& results) {
 
 std::string figures_section(const StaticResults& results, const std::string& id, const std::string& heading,
                             int& number) {
+  if (!results.has_pipe()) return "";
   return figure_section(
       id, heading,
       figure_list(

@@ -63,8 +63,10 @@ Utilisation bar_of(const StaticResults& statics, const CheckRow& row) {
           fmt::format("{}, {}; {}{}", row.name, row.code, place_name(statics, row.s), when)};
 }
 
-std::string card(const std::string& heading, const std::vector<Utilisation>& bars, const std::string& note) {
-  if (bars.empty()) return "";
+/// Without bars what the verdict is of.
+std::string card(const std::string& heading, const std::vector<Utilisation>& bars, const std::string& note,
+                 const std::string& reach) {
+  if (bars.empty()) return "<p class=\"small\">" + escape(reach) + "</p>\n";
   std::string all;
   for (const Utilisation& one : bars) all += bar(one);
   return "<div class=\"card\"><h3>" + escape(heading) + "</h3>\n" + all + "<p class=\"small\">" + escape(note) +
@@ -86,16 +88,12 @@ std::string line_title(const CheckRow& row) {
 }
 
 /// A bar for each governing and judged check on lines, anchors and cables.
-std::vector<Utilisation> line_bars(const CheckTable& checks) {
-  std::vector<Utilisation> bars;
+void add_line_bars(const CheckTable& checks, std::vector<Utilisation>& bars) {
   for (const CheckRow& row : checks.rows) {
     const std::string title = line_title(row);
     if (!title.empty() && row.governing && row.judged()) bars.push_back({title, row.utilisation, row.remark});
   }
-  return bars;
 }
-
-constexpr const char* kCapacity = "The mark on the bar is the full capacity, with its safety factor. ";
 
 /// Without the rows on lines, anchors and cables, which have bars of their own.
 CheckTable without_lines(CheckTable checks) {
@@ -104,14 +102,15 @@ CheckTable without_lines(CheckTable checks) {
 }
 
 std::string utilisation_card(const StaticResults& statics, const CheckTable& checks, const FrontPage& page) {
+  constexpr const char* kCapacity = "The mark on the bar is the full capacity, with its safety factor. ";
   std::vector<Utilisation> bars;
   const CheckTable others = without_lines(checks);
   for (const CheckRegion region : check_regions()) {
     if (const CheckRow* row = governing_check(others, region)) bars.push_back(bar_of(statics, *row));
   }
-  const std::vector<Utilisation> lines = line_bars(checks);
-  bars.insert(bars.end(), lines.begin(), lines.end());
-  return card("Utilisation, governing check of each region", bars, kCapacity + page.reach + " " + kBasisOfChecks);
+  add_line_bars(checks, bars);
+  return card("Utilisation, governing check of each region", bars, kCapacity + page.reach + " " + kBasisOfChecks,
+              page.reach);
 }
 
 std::string verdict_section(const Verdict& verdict, const std::string& utilisations) {
@@ -184,15 +183,9 @@ std::string front_page(const FrontPage& page, const StaticResults& statics, cons
                   rest);
 }
 
-std::string front_page(const FrontPage& page, const CheckTable& checks, const std::string& rest) {
-  return front_page(page, make_verdict(checks, page.findings), line_bars(checks), kCapacity, rest);
-}
-
 std::string front_page(const FrontPage& page, const Verdict& verdict, const std::vector<Utilisation>& bars,
                        const std::string& note, const std::string& rest) {
-  const std::string reach = "<p class=\"small\">" + escape(page.reach) + "</p>\n";
-  return laid_out(page, verdict_section(verdict, bars.empty() ? reach : card("Utilisation", bars, note + page.reach)),
-                  rest);
+  return laid_out(page, verdict_section(verdict, card("Utilisation", bars, note + page.reach, page.reach)), rest);
 }
 
 }  // namespace overbend

@@ -32,9 +32,6 @@ struct FrontPage {
 std::string front_page(const FrontPage& page, const StaticResults& statics, const CheckTable& checks,
                        const std::string& rest);
 
-/// The same for a model without a pipe.
-std::string front_page(const FrontPage& page, const CheckTable& checks, const std::string& rest);
-
 /// The same with a verdict and bars of its own; `note` says below the card what its marks are, plain text.
 std::string front_page(const FrontPage& page, const Verdict& verdict, const std::vector<Utilisation>& bars,
                        const std::string& note, const std::string& rest);

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <ctime>
+#include <utility>
 #include <vector>
 
-#include "base/json.h"
 #include "base/shown_unit.h"
 #include "report/page/assets.h"
 #include "report/page/html.h"
@@ -58,6 +58,22 @@ std::string css_string(const std::string& text) {
   return out + "\"";
 }
 
+/// Scripts in their order, by the object of the data that they draw; "" for all pages.
+using ScriptsOfObject = std::pair<const char*, std::vector<const char*>>;
+const std::vector<ScriptsOfObject>& object_scripts() {
+  static const std::vector<ScriptsOfObject> kScripts = {
+      {"", {"d3", "data", "chart"}},
+      {"stations", {"along", "diagrams", "envelopes", "checks", "fatigue"}},
+      {"", {"in_time", "histories"}},
+      {"stations", {"bars", "contacts"}},
+      {"", {"moorings"}},
+      {"lines", {"lines"}},
+      {"", {"seek"}},
+      {"stations", {"compared_tensioner", "compared_contact", "side_view", "painter", "scene"}},
+      {"", {"main"}}};
+  return kScripts;
+}
+
 }  // namespace
 
 std::string page_margins(const PageMargins& margins) {
@@ -70,33 +86,12 @@ std::string page_margins(const PageMargins& margins) {
          box("bottom-left", margins.kind + ", " + margins.written) + "}</style>\n";
 }
 
-std::string whole_page(const std::string& title, const std::string& body, const std::string& data) {
-  return page_of(title, body,
-                 scripts(data, {"d3",
-                                "data",
-                                "chart",
-                                "along",
-                                "diagrams",
-                                "envelopes",
-                                "checks",
-                                "fatigue",
-                                "in_time",
-                                "histories",
-                                "bars",
-                                "contacts",
-                                "moorings",
-                                "seek",
-                                "compared_tensioner",
-                                "compared_contact",
-                                "side_view",
-                                "painter",
-                                "scene",
-                                "main"}));
-}
-
-std::string page_without_pipe(const std::string& title, const std::string& body, const std::string& data) {
-  return page_of(title, body,
-                 scripts(data, {"d3", "data", "chart", "in_time", "histories", "moorings", "lines", "main"}));
+std::string whole_page(const std::string& title, const std::string& body, const Json& data) {
+  std::vector<const char*> names;
+  for (const auto& [object, scripts] : object_scripts()) {
+    if (*object == '\0' || data.contains(object)) names.insert(names.end(), scripts.begin(), scripts.end());
+  }
+  return page_of(title, body, scripts(json_text(data), names));
 }
 
 std::string operation_page(const std::string& title, const std::string& body, const std::string& data) {

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <string>
 
+#include "base/json.h"
+
 namespace overbend {
 
-/// A page that needs nothing beside it. `title` is plain text, `body` HTML, `data` the JSON that its scripts draw.
-std::string whole_page(const std::string& title, const std::string& body, const std::string& data);
-
-/// The same of a model without a pipe: only the scripts that need none.
-std::string page_without_pipe(const std::string& title, const std::string& body, const std::string& data);
+/// A page that needs nothing beside it, with the scripts of the objects in its data. `title` is plain text, `body`
+/// HTML, `data` what its scripts draw.
+std::string whole_page(const std::string& title, const std::string& body, const Json& data);
 
 /// Of an operation on the line, whose figures are those of its stages.
 std::string operation_page(const std::string& title, const std::string& body, const std::string& data);

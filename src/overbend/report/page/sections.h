@@ -17,8 +17,9 @@ namespace overbend {
 std::string title_block(const std::string& kind, const std::string& title,
                         const std::vector<std::pair<std::string, std::string>>& entries,
                         const std::string& control = "", const std::string& document = "");
-/// Pipe, vessel and location, for the title block.
-std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results);
+/// What the analysis is of, for the title block: pipe, vessel and location, or the lines.
+std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results,
+                                                                 const std::optional<Description>& description = {});
 /// "converged", or "converged, 2 findings": they are further down and must not be missed.
 std::string status_words(const std::string& state, std::size_t findings);
 std::string key_results(const StaticResults& results, const std::string& id, const std::string& heading);
@@ -26,8 +27,6 @@ std::string key_results(const StaticResults& results, const std::string& id, con
 /// `dynamic`, not null for the report of a dynamic run, adds what applies only there.
 std::string inputs_section(const StaticResults& results, const std::optional<Description>& description,
                            const DynamicResults* dynamic);
-/// Of a model without a pipe.
-std::string inputs_section(const Description& description);
 /// By what hangs on them.
 std::string assumptions_section(const Assumptions& assumptions);
 /// Stations at tensioner, supports, sagbend maximum, touchdown and anchor, in the layout of lay analyses.

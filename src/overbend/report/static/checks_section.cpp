@@ -159,7 +159,7 @@ std::string headline(const CheckTable& table) {
 }  // namespace
 
 std::string checks_section(const StaticResults& statics, const CheckTable& table, int& number) {
-  if (table.rows.empty()) return "";
+  if (table.along.s.empty()) return "";
   std::string body = headline(table) + governing_table(statics, table);
   const std::vector<Figure> figures = {
       {"checks",

@@ -51,6 +51,7 @@ std::string solver_table(const StaticResults& r) {
 }  // namespace
 
 std::string balance_section(const StaticResults& results) {
+  if (!results.has_pipe()) return "";
   std::string body = "<div class=\"columns\">\n" + force_table(results) + solver_table(results) + "</div>\n";
   if (!results.solve.history.empty()) {
     body += "<h3>Solution history</h3>\n<ol class=\"history\">\n";

@@ -14,7 +14,7 @@
 namespace overbend {
 namespace {
 
-std::string pipe_table(const SectionDescription& pipe, const std::string& name) {
+std::string section_table(const SectionDescription& pipe, const std::string& name) {
   Listing list("Pipe: " + name);
   list.add("Steel outside diameter", pipe.steel.outside_diameter, section_length())
       .add("Wall thickness", pipe.steel.wall_thickness, section_length())
@@ -39,6 +39,17 @@ std::string pipe_table(const SectionDescription& pipe, const std::string& name) 
         .add("Internal pressure at the water level", pipe.internal_pressure, "Pa");
   }
   return list.str();
+}
+
+/// The line's own section, then the segments'.
+std::string pipe_tables(const Description& model) {
+  if (!model.has_pipe) return "";
+  std::string tables = section_table(model.pipe.section, "the line");
+  for (const SegmentDescription& segment : model.pipe.segments) {
+    tables +=
+        section_table(segment.section, segment.name + ", " + general(segment.length, "m") + " " + shown_name("m"));
+  }
+  return tables;
 }
 
 std::string environment_table(const EnvironmentDescription& sea) {
@@ -67,15 +78,6 @@ std::string environment_table(const EnvironmentDescription& sea) {
   return list.str();
 }
 
-/// The vessel by itself.
-Listing& add_vessel(Listing& list, const VesselDescription& vessel) {
-  return list.add("Vessel", vessel.name)
-      .add("Length, beam, depth", {vessel.length, vessel.beam, vessel.depth}, "m")
-      .add("Draught", vessel.draught, "m")
-      .add("Heading", vessel.heading, "rad")
-      .add("Trim, heel", {vessel.trim, vessel.heel}, "rad");
-}
-
 /// Radius of a structure and, of boxes told as a row, how many there are and how far apart.
 void add_arc(Listing& list, const std::string& name, const std::optional<double>& radius,
              const std::optional<BoxRowDescription>& row) {
@@ -88,11 +90,9 @@ void add_arc(Listing& list, const std::string& name, const std::optional<double>
   }
 }
 
-std::string vessel_table(const Description& model) {
-  const VesselDescription& vessel = model.vessel;
-  Listing list("Vessel and tensioner");
-  add_vessel(list, vessel)
-      .add("Stern shoe, x from midship and z", {vessel.stern_shoe_x, vessel.stern_shoe_z}, "m")
+/// What lays the pipe.
+void add_spread(Listing& list, const Description& model) {
+  list.add("Stern shoe, x from midship and z", {model.vessel.stern_shoe_x, model.vessel.stern_shoe_z}, "m")
       .add("Tensioner X, Z from the stern shoe", {model.tensioner.x, model.tensioner.z}, "m")
       .add("Tensioner incline", model.tensioner.incline, "rad")
       .add("Pipe in the tensioner", model.tensioner.guide == Guide::clamped ? "direction fixed" : "pinned");
@@ -104,6 +104,18 @@ std::string vessel_table(const Description& model) {
   if (!model.supports.setting.empty()) {
     list.add("Stinger setting", model.supports.setting);
   }
+}
+
+std::string vessel_table(const Description& model) {
+  if (!has_vessel(model)) return "";
+  const VesselDescription& vessel = model.vessel;
+  Listing list(model.has_pipe ? "Vessel and tensioner" : "Vessel");
+  list.add("Vessel", vessel.name)
+      .add("Length, beam, depth", {vessel.length, vessel.beam, vessel.depth}, "m")
+      .add("Draught", vessel.draught, "m")
+      .add("Heading", vessel.heading, "rad")
+      .add("Trim, heel", {vessel.trim, vessel.heel}, "rad");
+  if (model.has_pipe) add_spread(list, model);
   return list.str();
 }
 
@@ -146,9 +158,11 @@ std::string dynamics_table(const Description& model, const DynamicResults& resul
   const HydrodynamicsDescription& water = model.pipe.section.hydrodynamics;
   Listing list("Sea, motion and time");
   add_waves(list, model.environment.waves, results.seed);
-  list.add("Vessel motion", motion_words(model.vessel))
-      .add("Build-up, duration", {results.build_up, results.duration}, "s")
-      .add("Added mass, normal and axial", general(water.added_mass_normal) + ", " + general(water.added_mass_axial));
+  if (has_vessel(model)) list.add("Vessel motion", motion_words(model.vessel));
+  list.add("Build-up, duration", {results.build_up, results.duration}, "s");
+  if (model.has_pipe) {
+    list.add("Added mass, normal and axial", general(water.added_mass_normal) + ", " + general(water.added_mass_axial));
+  }
   if (model.dynamics) {
     if (model.dynamics->step) list.add("Fixed step", *model.dynamics->step, "s");
     if (model.dynamics->max_step) list.add("Maximum step", *model.dynamics->max_step, "s");
@@ -162,6 +176,7 @@ std::string dynamics_table(const Description& model, const DynamicResults& resul
 }
 
 std::string derived_table(const StaticResults& results) {
+  if (results.sections.empty()) return "";
   html::Table table("Derived section properties",
                     {{"Section", "", true},
                      {"EA", shown_name("N")},
@@ -188,28 +203,13 @@ std::string inputs_section(const StaticResults& results, const std::optional<Des
                            const DynamicResults* dynamic) {
   std::string body;
   if (description) {
-    body += "<div class=\"columns\">\n" + pipe_table(description->pipe.section, "the line");
-    for (const SegmentDescription& segment : description->pipe.segments) {
-      body += pipe_table(segment.section, segment.name + ", " + general(segment.length, "m") + " " + shown_name("m"));
-    }
-    body += vessel_table(*description) + environment_table(description->environment) +
-            roller_kinds_table(description->rollers) + hull_inputs(*description) +
-            (dynamic != nullptr ? dynamics_table(*description, *dynamic) : "") + "</div>\n" +
-            mooring_inputs(*description);
+    body = "<div class=\"columns\">\n" + pipe_tables(*description) + vessel_table(*description) +
+           environment_table(description->environment) + roller_kinds_table(description->rollers) +
+           hull_inputs(*description) + (dynamic != nullptr ? dynamics_table(*description, *dynamic) : "") + "</div>\n" +
+           mooring_inputs(*description) + line_inputs(*description);
   }
   body += derived_table(results);
-  return html::section("inputs", "Inputs", body);
-}
-
-std::string inputs_section(const Description& description) {
-  std::string vessel;
-  if (has_station(description)) {
-    Listing list("Vessel");
-    vessel = add_vessel(list, description.vessel).str() + hull_inputs(description);
-  }
-  return html::section("inputs", "Inputs",
-                       "<div class=\"columns\">\n" + vessel + environment_table(description.environment) + "</div>\n" +
-                           mooring_inputs(description) + line_inputs(description));
+  return body.empty() ? "" : html::section("inputs", "Inputs", body);
 }
 
 std::string assumptions_section(const Assumptions& assumptions) {

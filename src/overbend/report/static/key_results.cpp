@@ -147,7 +147,13 @@ std::string title_block(const std::string& kind, const std::string& title,
          "</div>\n<h1>" + html::escape(title) + "</h1>\n" + control + html::entries(entries) + "</header>\n";
 }
 
-std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results) {
+std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results,
+                                                                 const std::optional<Description>& description) {
+  std::vector<std::pair<std::string, std::string>> entries;
+  if (results.moorings && description) entries.emplace_back("Vessel", description->vessel.name);
+  if (results.moorings) entries.emplace_back("Mooring lines", std::to_string(results.moorings->rest.moorings.size()));
+  if (!results.lines.empty()) entries.emplace_back("Lines", std::to_string(results.lines.size()));
+  if (!results.has_pipe()) return entries;
   return {
       {"Vessel", results.vessel_name},
       {"Pipe", fmt::format("{} steel, {} over the coating", shown(results.steel_outer_diameter, section_length(), 1),
@@ -161,6 +167,7 @@ std::string status_words(const std::string& state, std::size_t findings) {
 }
 
 std::string key_results(const StaticResults& results, const std::string& id, const std::string& heading) {
+  if (!results.has_pipe()) return "";
   std::string body = tiles(results) + "<div class=\"results\">\n";
   if (results.overbend) {
     body += region_table(results, "Overbend: tensioner to the inflection below the last support in contact",

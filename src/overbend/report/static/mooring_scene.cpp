@@ -27,30 +27,31 @@ std::vector<Vec3> pipe_of(const StaticResults& lay) {
   return some;
 }
 
-}  // namespace
-
-MooringScene mooring_scene(const std::optional<Description>& description) {
+/// The vessel as drawn and what is on the bed and in the water around it.
+MooringScene surroundings(const Description& description) {
   MooringScene scene;
-  if (!description) return scene;
-  scene.length = description->vessel.length;
-  scene.beam = description->vessel.beam;
-  scene.heading = description->vessel.heading;
-  scene.water_depth = description->environment.water_depth;
-  if (description->moorings) scene.objects = description->moorings->objects;
-  const EnvironmentDescription& sea = description->environment;
+  scene.length = description.vessel.length;
+  scene.beam = description.vessel.beam;
+  scene.heading = description.vessel.heading;
+  scene.water_depth = description.environment.water_depth;
+  if (description.moorings) scene.objects = description.moorings->objects;
+  const EnvironmentDescription& sea = description.environment;
   if (sea.waves.type != WaveType::none) scene.waves_from = sea.waves.from;
   if (!sea.current.empty() && sea.current.front().speed > 0.0) scene.current_to = sea.current.front().towards;
   return scene;
 }
 
-MooringScene mooring_scene(const std::optional<Description>& description, const StaticResults& lay) {
-  MooringScene scene = mooring_scene(description);
-  scene.pipe_W = pipe_of(lay);
-  scene.touchdown_W = lay.touchdown.p_W;
-  scene.length = lay.vessel_length;
-  scene.beam = lay.vessel_beam;
-  scene.water_depth = lay.water_depth;
-  if (!description) scene.heading = azimuth(lay.R_WV.col(0));
+}  // namespace
+
+MooringScene mooring_scene(const std::optional<Description>& description, const StaticResults& results) {
+  MooringScene scene = description ? surroundings(*description) : MooringScene{};
+  if (!results.has_pipe()) return scene;
+  scene.pipe_W = pipe_of(results);
+  scene.touchdown_W = results.touchdown.p_W;
+  scene.length = results.vessel_length;
+  scene.beam = results.vessel_beam;
+  scene.water_depth = results.water_depth;
+  if (!description) scene.heading = azimuth(results.R_WV.col(0));
   return scene;
 }
 

@@ -20,10 +20,8 @@ struct MooringScene {
   double water_depth = 0.0;          ///< [m]
 };
 
-/// `description` is not there where the model's text cannot be read: the lines are drawn alone then.
-MooringScene mooring_scene(const std::optional<Description>& description);
-
-/// The same with the pipe of a lay.
-MooringScene mooring_scene(const std::optional<Description>& description, const StaticResults& lay);
+/// `description` is not there where the model's text cannot be read: the lines are drawn alone then. With the laid pipe
+/// of `results`, where there is one.
+MooringScene mooring_scene(const std::optional<Description>& description, const StaticResults& results);
 
 }  // namespace overbend

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "base/json.h"
 #include "report/dynamic/dynamic_data.h"
 #include "report/page/places.h"
 #include "report/page/report_style.h"
@@ -110,7 +109,9 @@ Json bed(const ReportStyle& style, const BedResults& bed) {
            })}};
 }
 
+/// Empty without a pipe.
 Json static_figure_data(const StaticResults& results) {
+  if (!results.has_pipe()) return Json::object();
   const ReportStyle style(results);
   JsonWriter data(style);
   ShownColumns shown;
@@ -133,19 +134,14 @@ Json static_figure_data(const StaticResults& results) {
   return data.take();
 }
 
-std::string text(const Json& data) {
-  return json_text(data);
-}
-
 }  // namespace
 
-std::string report_data(const StaticResults& results, const DynamicResults* dynamic,
-                        const std::optional<Description>& description, const SeekResults* seek) {
-  Json data = results.has_pipe() ? static_figure_data(results) : Json::object();
+Json report_data(const StaticResults& results, const DynamicResults* dynamic,
+                 const std::optional<Description>& description, const SeekResults* seek) {
+  Json data = static_figure_data(results);
   if (seek != nullptr) data["seek"] = seek_figure_data(*seek);
   if (results.moorings) {
-    const MooringScene scene = results.has_pipe() ? mooring_scene(description, results) : mooring_scene(description);
-    data["moorings"] = mooring_figure_data(*results.moorings, scene);
+    data["moorings"] = mooring_figure_data(*results.moorings, mooring_scene(description, results));
   }
   if (!results.lines.empty()) {
     data["lines"] = line_figure_data(results.lines, dynamic != nullptr ? dynamic->lines : std::vector<LineDynamics>{});
@@ -156,13 +152,13 @@ std::string report_data(const StaticResults& results, const DynamicResults* dyna
     data["checks"] = checks_figure_data(results, dynamic != nullptr ? dynamic->checks : results.checks);
   }
   if (dynamic != nullptr) data["dynamic"] = dynamic_figure_data(results, *dynamic);
-  return text(data);
+  return data;
 }
 
-std::string report_data(const StaticResults& results, const Comparison& comparison) {
+Json report_data(const StaticResults& results, const Comparison& comparison) {
   Json data = static_figure_data(results);
   data["comparison"] = comparison_data(comparison);
-  return text(data);
+  return data;
 }
 
 }  // namespace overbend

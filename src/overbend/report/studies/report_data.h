@@ -2,8 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "base/json.h"
 #include "model/description/description.h"
 #include "results/comparison_results.h"
 #include "results/seek_results.h"
@@ -14,11 +14,10 @@ namespace overbend {
 /// stern shoe, to port, above the water). Long lines are thinned where they are straight, never at an extreme. With
 /// dynamic results these are under "dynamic", moorings under "moorings", the path
 /// of a goal seek under "seek"; `description` tells what stands around them.
-std::string report_data(const StaticResults& results, const DynamicResults* dynamic = nullptr,
-                        const std::optional<Description>& description = std::nullopt,
-                        const SeekResults* seek = nullptr);
+Json report_data(const StaticResults& results, const DynamicResults* dynamic = nullptr,
+                 const std::optional<Description>& description = std::nullopt, const SeekResults* seek = nullptr);
 
 /// The static data with those of a comparison under "comparison".
-std::string report_data(const StaticResults& results, const Comparison& comparison);
+Json report_data(const StaticResults& results, const Comparison& comparison);
 
 }  // namespace overbend

@@ -4,6 +4,7 @@
 #include "dynamics/integrator/dynamics.h"
 #include "mechanics/sea.h"
 #include "model/site/bed_shape.h"
+#include "model/vessel/station.h"
 #include "report/page/json_number.h"
 #include "serve/answers/static_json.h"
 
@@ -11,14 +12,6 @@ namespace overbend {
 namespace {
 
 constexpr std::size_t kMostWaves = 1000;
-
-/// Whether the model speaks of a vessel: lines by themselves need none.
-bool has_vessel(const Description& d) {
-  const auto held = [](const FreeLineDescription& line) {
-    return line.first.kind == LineEndKind::body || line.second.kind == LineEndKind::body;
-  };
-  return d.has_pipe || d.moorings || d.lines.empty() || std::ranges::any_of(d.lines, held);
-}
 
 /// Null for what is not there.
 Json where(bool there, const Vec3& place) {
