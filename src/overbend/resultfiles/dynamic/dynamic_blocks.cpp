@@ -11,7 +11,8 @@ namespace overbend {
 namespace {
 
 constexpr hsize_t kHistoryChunk = 16384;
-constexpr std::int64_t kImpactBlock = 16384, kSnapshotBlock = 16;
+constexpr std::int64_t kImpactBlock = 16384;
+constexpr std::int64_t kFewestSnapshots = 16, kSnapshotNumbers = 65536;  // together: each piece is compressed by itself
 // A scale keeps a list of its datasets in an attribute, which HDF5 limits to 64 kB.
 constexpr std::size_t kMostScaled = 2000;
 
@@ -170,10 +171,13 @@ void write_snapshots(Hdf5Writer& file, const RunStore& store) {
   if (store.snapshots() == 0) return;
   file.group("/dynamic/snapshots", "The line and the vessel at instants");
   const std::vector<SnapshotPart> parts = snapshot_parts(store);
-  for (const SnapshotPart& part : parts) file.create<double>(part.path(), part.field, part.shape, kSnapshotBlock);
   const auto size = static_cast<std::size_t>(store.snapshot_size());
-  for (std::int64_t first = 0; first < store.snapshots(); first += kSnapshotBlock) {
-    const std::vector<double> block = store.snapshot_block(first, std::min(kSnapshotBlock, store.snapshots() - first));
+  const std::int64_t rows = std::max(kFewestSnapshots, kSnapshotNumbers / static_cast<std::int64_t>(size));
+  for (const SnapshotPart& part : parts) {
+    file.create<double>(part.path(), part.field, part.shape, static_cast<hsize_t>(rows));
+  }
+  for (std::int64_t first = 0; first < store.snapshots(); first += rows) {
+    const std::vector<double> block = store.snapshot_block(first, std::min(rows, store.snapshots() - first));
     require_finite("dynamic.snapshots", "", block);
     for (const SnapshotPart& part : parts) {
       file.write_rows(part.path(), static_cast<hsize_t>(first), numbers_of(part, block, size));
