@@ -124,7 +124,7 @@ void write_spectra(Hdf5Writer& file, const std::vector<Spectrum>& spectra) {
   }
 }
 
-/// What a run with a pipe has besides.
+/// Of a laid pipe.
 void write_pipe_in_time(Hdf5Writer& file, const StaticResults& statics, const DynamicResults& dynamics) {
   const auto tensioner = [](const auto& part, auto& visit) { visit_tensioner(part, visit); };
   const auto impacts = [](const auto& part, auto& visit) { visit_impact(part, visit); };
@@ -162,7 +162,8 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
   write_static_groups(file, statics, description);
   const bool tip = statics.stinger_tip_clearance.has_value();
   const auto keys = [&](const auto& part, auto& visit) {
-    statics.has_pipe() ? visit_dynamic_keys(part, visit, tip) : visit_dynamic_settings(part, visit);
+    visit_dynamic_settings(part, visit);
+    if (statics.has_pipe()) visit_pipe_over_time(part, visit, tip);
   };
   const auto energy = [](const auto& part, auto& visit) { visit_energy(part, visit); };
   const auto run = [](const auto& part, auto& visit) { visit_dynamic_run(part, visit); };

@@ -3,6 +3,7 @@
 #include "resultfiles/dynamic/dynamic_writer.h"
 #include "resultfiles/dynamic/fatigue_files.h"
 #include "resultfiles/hdf5/check_hdf5.h"
+#include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/moored_dynamics_hdf5.h"
@@ -88,9 +89,11 @@ void read_spectra(const Hdf5Reader& file, std::vector<Spectrum>& spectra) {
   });
 }
 
-/// What a run with a pipe has besides.
+/// Of a laid pipe.
 void read_pipe_in_time(const Hdf5Reader& file, DynamicResults& results) {
-  ValueReader visit{file, "/dynamic/tensioner"};
+  ValueReader visit{file, "/dynamic"};
+  visit_pipe_over_time(results, visit, file.has("/dynamic/stinger_tip_clearance_min"));
+  visit.group = "/dynamic/tensioner";
   visit_tensioner(results.tensioner, visit);
   if (file.has("/dynamic/overbend")) read_region(file, "/dynamic/overbend", results.overbend);
   visit.group = "/dynamic/smallest_tension";
@@ -109,15 +112,11 @@ void read_pipe_in_time(const Hdf5Reader& file, DynamicResults& results) {
   results.design = read_design(file);
 }
 
-DynamicResults read_dynamics(const Hdf5Reader& file, bool pipe) {
+DynamicResults read_dynamics(const Hdf5Reader& file) {
   DynamicResults results;
   ValueReader visit{file, "/dynamic"};
-  if (pipe) {
-    visit_dynamic_keys(results, visit, file.has("/dynamic/stinger_tip_clearance_min"));
-    read_pipe_in_time(file, results);
-  } else {
-    visit_dynamic_settings(results, visit);
-  }
+  visit_dynamic_settings(results, visit);
+  if (file.has("/dynamic/stations")) read_pipe_in_time(file, results);
   visit.group = "/dynamic/energy";
   visit_energy(results.energy, visit);
   visit.group = "/dynamic/run";
@@ -138,9 +137,7 @@ bool has_dynamic(const std::filesystem::path& h5) {
 }
 
 StoredDynamics read_dynamic_results(const std::filesystem::path& h5) {
-  StoredStatics statics = read_static_results(h5);
-  const bool pipe = statics.results.has_pipe();
-  return {std::move(statics), read_dynamics(Hdf5Reader(h5), pipe)};
+  return {read_static_results(h5), read_dynamics(Hdf5Reader(h5))};
 }
 
 }  // namespace overbend

@@ -6,6 +6,7 @@
 #include "resultfiles/hdf5/check_hdf5.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/moored/mooring_tables.h"
 #include "results/fields/mooring_fields.h"
 #include "results/fields/move_fields.h"
 #include "results/fields/static_values.h"
@@ -14,13 +15,6 @@ namespace overbend {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-/// The rest first, then the stages.
-std::vector<const MooredState*> states_of(const MooringResults& results) {
-  std::vector<const MooredState*> states = {&results.rest};
-  for (const MooredState& stage : results.stages) states.push_back(&stage);
-  return states;
-}
 
 template <class Row, class Visit>
 void visit_operation(Row& r, Visit& visit) {
@@ -237,7 +231,7 @@ void write_moorings(DatasetSink& file, const MooringResults& results) {
   file.group("/moorings", "Hull and mooring lines at rest");
   ValueWriter values{file, "/moorings"};
   visit_operation(results, values);
-  const std::vector<const MooredState*> states = states_of(results);
+  const std::vector<const MooredState*> states = moored_states(results);
   write_lines(file, states);
   write_matrices(file, states);
   TableWriter winches;

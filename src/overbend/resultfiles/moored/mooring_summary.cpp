@@ -157,14 +157,12 @@ void add_moored_dynamics(const DynamicResults& results, Json& summary) {
       style.rows(results.moorings, [&](const MooringLineDynamics& line) { return line_in_time(style, line); });
 }
 
-void add_moorings(const MooringResults& results, bool pipe, Json& summary) {
+void add_moorings(const MooringResults& results, Json& summary) {
   const SummaryStyle style;
-  Json rest = state_json(style, results.rest);
-  if (pipe) {  // whose balance and iterations are told
-    rest.erase("balance");
-    rest.erase("iterations");
+  const Json rest = state_json(style, results.rest);
+  for (const auto& [key, value] : rest.items()) {
+    if (Json& statics = summary["static"]; !statics.contains(key)) statics[key] = value;
   }
-  summary["static"].update(rest);
   add_operation(style, results, summary);
 }
 

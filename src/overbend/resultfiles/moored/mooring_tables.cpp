@@ -13,13 +13,6 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// The rest as drawn first, then the stages.
-std::vector<const MooredState*> states_of(const MooringResults& results) {
-  std::vector<const MooredState*> states = {&results.rest};
-  for (const MooredState& stage : results.stages) states.push_back(&stage);
-  return states;
-}
-
 template <class Visit>
 void visit_table_row(const std::string& state, const MooringLineResult& line, Visit& visit) {
   visit(ResultField{"state", "1", "Static or the stage of the operation"}.csv("state"), state);
@@ -61,6 +54,12 @@ MooringLineDynamics no_line_in_time() {
 
 }  // namespace
 
+std::vector<const MooredState*> moored_states(const MooringResults& results) {
+  std::vector<const MooredState*> states = {&results.rest};
+  for (const MooredState& stage : results.stages) states.push_back(&stage);
+  return states;
+}
+
 void require_finite(const HullResults& hull) {
   FiniteVisitor visit{"hull."};
   visit_hull(hull, visit);
@@ -71,7 +70,7 @@ void require_finite(const HullResults& hull) {
 }
 
 void require_finite(const MooringResults& results) {
-  for (const MooredState* state : states_of(results)) {
+  for (const MooredState* state : moored_states(results)) {
     FiniteVisitor visit{state->name + ".vessel."};
     visit_vessel_offset(state->vessel, visit);
     for (const MooringLineResult& line : state->moorings) {
@@ -88,7 +87,7 @@ std::string moorings_table(const MooringResults& results, const std::vector<Moor
   if (!in_time.empty()) visit_in_time(MooringLineDynamics{}, head);
   CsvTable table(head.names);
   const MooringLineDynamics absent = no_line_in_time();
-  for (const MooredState* state : states_of(results)) {
+  for (const MooredState* state : moored_states(results)) {
     for (const MooringLineResult& line : state->moorings) {
       CsvCells cells{table};
       visit_table_row(state->name, line, cells);

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "results/hull_results.h"
 #include "results/moored_dynamics.h"
 #include "results/mooring_results.h"
 
 namespace overbend {
+
+/// The rest as drawn first, then the stages.
+std::vector<const MooredState*> moored_states(const MooringResults& results);
 
 /// The text of moorings.csv: a row per state and line, engineering units. `in_time`: of a dynamic analysis that began
 /// at the rest, in further columns of the rest's rows.

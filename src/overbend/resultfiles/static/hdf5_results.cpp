@@ -172,12 +172,15 @@ void write_model_text(DatasetSink& file, const std::string& text) {
 }
 
 void write_lay_group(DatasetSink& file, const std::string& group, const StaticResults& results) {
-  const auto keys = [](const auto& part, auto& visit) { visit_key_results(part, visit); };
+  const auto keys = [](const auto& part, auto& visit) {
+    part.has_pipe() ? visit_key_results(part, visit) : visit_heading(part, visit);
+  };
   const auto touchdown = [](const auto& part, auto& visit) { visit_touchdown(part, visit); };
   const auto sums = [](const auto& part, auto& visit) { visit_sums(part, visit); };
   const auto solve = [](const auto& part, auto& visit) { visit_solve(part, visit); };
   const auto scene = [](const auto& part, auto& visit) { visit_scene(part, visit); };
-  write_part(file, group, "Static equilibrium: key results", keys, results);
+  write_part(file, group, results.has_pipe() ? "Static equilibrium: key results" : "Static state", keys, results);
+  if (!results.has_pipe()) return write_checks(file, group + "/checks", results.checks);
   write_part(file, group + "/touchdown", "Touchdown", touchdown, results.touchdown);
   write_part(file, group + "/sums", "Sums of forces on the line", sums, results);
   write_part(file, group + "/solve", "Solver statistics", solve, results.solve);
@@ -215,14 +218,7 @@ void write_static_groups(DatasetSink& file, const StaticResults& results, const 
 }
 
 void write_static_parts(DatasetSink& file, const StaticResults& results) {
-  if (results.has_pipe()) {
-    write_lay_group(file, "/static", results);
-  } else {
-    file.group("/static", "Static state");
-    ValueWriter heading{file, "/static"};
-    visit_heading(results, heading);
-    write_checks(file, "/static/checks", results.checks);
-  }
+  write_lay_group(file, "/static", results);
   if (results.moorings) write_moorings(file, *results.moorings);
   if (results.hull) write_hull(file, *results.hull);
   write_lines(file, results.lines);

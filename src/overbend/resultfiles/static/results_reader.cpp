@@ -133,20 +133,16 @@ void read_route_parts(const Hdf5Reader& file, const std::string& group, StaticRe
   }
 }
 
-/// Of results without a pipe.
-StaticResults read_heading(const Hdf5Reader& file) {
-  StaticResults results;
-  ValueReader visit{file, "/static"};
-  visit_heading(results, visit);
-  results.checks = read_checks(file, "/static/checks");
-  return results;
-}
-
 }  // namespace
 
 StaticResults read_lay_group(const Hdf5Reader& file, const std::string& group) {
   StaticResults results;
   ValueReader visit{file, group};
+  results.checks = read_checks(file, group + "/checks");
+  if (!file.has(group + "/stations")) {
+    visit_heading(results, visit);
+    return results;
+  }
   visit_key_results(results, visit);
   visit.group = group + "/touchdown";
   visit_touchdown(results.touchdown, visit);
@@ -163,7 +159,6 @@ StaticResults read_lay_group(const Hdf5Reader& file, const std::string& group) {
   read_region(file, group + "/sagbend", results.sagbend);
   read_tables(file, group, results);
   read_supports(file, group, results);
-  results.checks = read_checks(file, group + "/checks");
   read_cable_parts(file, group, results);
   read_bed(file, group + "/bed", results);
   read_stinger(file, group, results);
@@ -180,7 +175,7 @@ StoredStatics read_static_results(const std::filesystem::path& h5) {
   visit.group = "/model/stage";
   if (file.has(visit.group)) visit_lay_stage(stored.stage.emplace(), visit);
   StaticResults& results = stored.results;
-  results = file.has("/static/stations") ? read_lay_group(file, "/static") : read_heading(file);
+  results = read_lay_group(file, "/static");
   results.moorings = read_moorings(file);
   results.hull = read_hull(file);
   results.lines = read_lines(file);

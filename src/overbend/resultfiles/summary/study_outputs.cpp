@@ -68,34 +68,39 @@ std::optional<std::string> output_unit(StudyAnalysis analysis, std::string path)
   return std::nullopt;
 }
 
-std::vector<std::string> usual_outputs_of_hull(StudyAnalysis analysis) {
-  if (analysis == StudyAnalysis::dynamic) {
-    return {"dynamic.vessel.offset",
-            "dynamic.vessel.roll",
-            "dynamic.vessel.pitch",
-            "max(dynamic.moorings[*].fairlead_tension.max)",
-            "min(dynamic.moorings[*].fairlead_tension.min)",
-            "max(dynamic.moorings[*].utilisation)"};
-  }
-  std::vector<std::string> names = {"static.vessel.surge",
-                                    "static.vessel.sway",
-                                    "static.vessel.yaw",
-                                    "max(static.moorings[*].fairlead_tension)",
-                                    "min(static.moorings[*].fairlead_tension)",
-                                    "max(static.moorings[*].utilisation)"};
-  if (analysis == StudyAnalysis::seek) names.insert(names.begin(), "seek.answer");
-  return names;
+using Names = std::vector<std::string>;
+
+Names hull_outputs(bool dynamic) {
+  return dynamic ? Names{"dynamic.vessel.offset",
+                         "dynamic.vessel.roll",
+                         "dynamic.vessel.pitch",
+                         "max(dynamic.moorings[*].fairlead_tension.max)",
+                         "min(dynamic.moorings[*].fairlead_tension.min)",
+                         "max(dynamic.moorings[*].utilisation)"}
+                 : Names{"static.vessel.surge",
+                         "static.vessel.sway",
+                         "static.vessel.yaw",
+                         "max(static.moorings[*].fairlead_tension)",
+                         "min(static.moorings[*].fairlead_tension)",
+                         "max(static.moorings[*].utilisation)"};
 }
 
-std::vector<std::string> usual_outputs_of_lines(StudyAnalysis analysis) {
-  if (analysis == StudyAnalysis::dynamic) {
-    return {"max(dynamic.lines[*].largest_tension)", "min(dynamic.lines[*].least_tension)",
-            "max(dynamic.lines[*].utilisation)"};
-  }
-  std::vector<std::string> names = {"max(static.lines[*].largest_tension)", "min(static.lines[*].least_tension)",
-                                    "max(static.lines[*].utilisation)"};
-  if (analysis == StudyAnalysis::seek) names.insert(names.begin(), "seek.answer");
-  return names;
+Names line_outputs(bool dynamic) {
+  const std::string lines = dynamic ? "dynamic.lines[*]." : "static.lines[*].";
+  return {"max(" + lines + "largest_tension)", "min(" + lines + "least_tension)", "max(" + lines + "utilisation)"};
+}
+
+Names pipe_outputs(bool dynamic) {
+  return dynamic ? Names{"dynamic.top_tension.min",        "dynamic.top_tension.max",       "dynamic.smallest_tension",
+                         "dynamic.overbend.max_von_mises", "dynamic.sagbend.max_von_mises", "checks.governing"}
+                 : Names{"static.top_tension",
+                         "static.bottom_tension",
+                         "static.lay_back",
+                         "static.overbend.max_von_mises",
+                         "static.sagbend.max_von_mises",
+                         "static.largest_reaction.value",
+                         "static.stinger_tip_clearance",
+                         "checks.governing"};
 }
 
 constexpr std::array kOfSeek = {"seek.answer", "seek.slope", "seek.residual", "seek.evaluations"};
@@ -138,19 +143,10 @@ std::string nearest_output(StudyAnalysis analysis, const std::string& name) {
 }
 
 std::vector<std::string> usual_outputs(StudyAnalysis analysis, const Description& model) {
-  if (!model.has_pipe) return model.lines.empty() ? usual_outputs_of_hull(analysis) : usual_outputs_of_lines(analysis);
-  if (analysis == StudyAnalysis::dynamic) {
-    return {"dynamic.top_tension.min",        "dynamic.top_tension.max",       "dynamic.smallest_tension",
-            "dynamic.overbend.max_von_mises", "dynamic.sagbend.max_von_mises", "checks.governing"};
-  }
-  std::vector<std::string> names = {"static.top_tension",
-                                    "static.bottom_tension",
-                                    "static.lay_back",
-                                    "static.overbend.max_von_mises",
-                                    "static.sagbend.max_von_mises",
-                                    "static.largest_reaction.value",
-                                    "static.stinger_tip_clearance",
-                                    "checks.governing"};
+  const bool dynamic = analysis == StudyAnalysis::dynamic;
+  Names names = model.has_pipe         ? pipe_outputs(dynamic)
+                : !model.lines.empty() ? line_outputs(dynamic)
+                                       : hull_outputs(dynamic);
   if (analysis == StudyAnalysis::seek) names.insert(names.begin(), "seek.answer");
   return names;
 }

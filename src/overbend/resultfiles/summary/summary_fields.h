@@ -246,11 +246,11 @@ auto support_impacts(const Style& style, const SupportDynamics& support) {
   return json.take();
 }
 
-/// The key `dynamic`.
+/// Of a laid pipe.
 template <class Style>
-auto dynamic_part(const Style& style, const StaticResults& statics, const DynamicResults& r) {
-  JsonWriter<Style> json(style);
-  visit_dynamic_keys(r, json, true);
+void put_pipe_over_time(const Style& style, const StaticResults& statics, const DynamicResults& r,
+                        JsonWriter<Style>& json) {
+  visit_pipe_over_time(r, json, true);
   json.or_null("stinger_tip_clearance", statics.stinger_tip_clearance.has_value());
   const ResultField smallest = smallest_tension_field();
   json[smallest.name] =
@@ -262,6 +262,14 @@ auto dynamic_part(const Style& style, const StaticResults& statics, const Dynami
   json["supports"] = style.rows(r.supports, [&](const SupportDynamics& box) { return dynamic_support(style, box); });
   json["impacts"] = style.rows(r.supports, [&](const SupportDynamics& box) { return support_impacts(style, box); });
   json["tensioner"] = object_of(style, [&](auto& one) { visit_tensioner(r.tensioner, one); });
+}
+
+/// The key `dynamic`.
+template <class Style>
+auto dynamic_part(const Style& style, const StaticResults& statics, const DynamicResults& r) {
+  JsonWriter<Style> json(style);
+  visit_dynamic_settings(r, json);
+  if (Style::kWhole || statics.has_pipe()) put_pipe_over_time(style, statics, r, json);
   json["extremes"] = style.rows(r.extremes, [&](const ExtremeEstimate& e) {
     return object_of(style, [&](auto& one) { visit_estimate(e, one); });
   });

@@ -19,15 +19,15 @@ Json static_summary_json(const StaticResults& r) {
                       ? "SI: m, N, Pa, rad, s; angles from horizontal"
                       : "SI: m, N, rad; angles of the vessel by Rz(yaw) Ry(pitch) Rx(roll) along the drawn axes";
   json["frame"] = kWorldFrame;
-  if (r.has_pipe()) {
-    json["derived"] = sections.empty() ? Json::object() : sections.front();
+  if (!sections.empty()) {
+    json["derived"] = sections.front();
     json["sections"] = sections;
   }
   json["verdict"] = verdict_json(make_verdict(r.checks, r.findings));
   json["checks"] = summary_checks(style, r.checks);
   json["static"] = r.has_pipe() ? static_part(style, r) : Json::object();
   Json summary = json.take();
-  if (r.moorings) add_moorings(*r.moorings, r.has_pipe(), summary);
+  if (r.moorings) add_moorings(*r.moorings, summary);
   if (r.hull) add_hull(*r.hull, summary);
   add_lines(r, summary);
   return summary;

@@ -14,9 +14,9 @@ Json static_summary_json(const StaticResults& results);
 /// The same as text: key results in SI.
 std::string static_summary(const StaticResults& results);
 
-/// Where a moored vessel lies and its lines, into the part of the statics; stages of its operation next to it. `pipe`:
-/// whether the statics are those of a pipe too.
-void add_moorings(const MooringResults& results, bool pipe, Json& summary);
+/// Where a moored vessel lies and its lines, into the part of the statics; stages of its operation next to it. What
+/// is told of a laid pipe stays, balance and iterations.
+void add_moorings(const MooringResults& results, Json& summary);
 /// static.lines, where lines stand by themselves, and dynamic.lines.
 void add_lines(const StaticResults& results, Json& summary);
 void add_lines_in_time(const DynamicResults& results, Json& summary);

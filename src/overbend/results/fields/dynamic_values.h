@@ -22,10 +22,9 @@ void visit_dynamic_settings(Results& r, Visit& visit) {
         r.non_stationary);
 }
 
-/// What is directly in the group of a run with a pipe. `tip` is false where there is no stinger.
+/// Of a laid pipe, in the same group. `tip` is false where there is no stinger.
 template <class Results, class Visit>
-void visit_dynamic_keys(Results& r, Visit& visit, bool tip) {
-  visit_dynamic_settings(r, visit);
+void visit_pipe_over_time(Results& r, Visit& visit, bool tip) {
   visit(ResultField{"impact_count", "1", "Number of all impacts"}.summary(), r.impact_count);
   visit_spread(ResultField{"top_tension", "N", "Effective tension at the tensioner"}.summary(), r.top_tension, visit);
   visit_spread(ResultField{"bottom_tension", "N", "Horizontal tension at touchdown"}.summary(), r.bottom_tension,
@@ -37,6 +36,12 @@ void visit_dynamic_keys(Results& r, Visit& visit, bool tip) {
   if (!tip) return;
   visit_spread(ResultField{"stinger_tip_clearance", "m", "Separation at the last row of the stinger"}.summary(),
                r.stinger_tip_clearance, visit);
+}
+
+template <class Results, class Visit>
+void visit_dynamic_keys(Results& r, Visit& visit, bool tip) {
+  visit_dynamic_settings(r, visit);
+  visit_pipe_over_time(r, visit, tip);
 }
 
 /// The four extremes of a region: visit_extreme(field, extreme).
