@@ -11,6 +11,7 @@
 #include "resultfiles/studies/lay_table_writer.h"
 #include "runstore/staged_folder.h"
 #include "seafiles/route_depths_reader.h"
+#include "statics/solver/static_obstacle.h"
 #include "study/lay_table/lay_table.h"
 #include "study/lay_table/lay_table_range.h"
 
@@ -86,7 +87,8 @@ void print_table(const LayTable& table) {
 int run_lay_table(const LayTableArguments& arguments) {
   const std::optional<Description> description = load_model(arguments.model_file);
   if (!description) return kWrongInput;
-  if (!description->has_pipe) return tell({RunEnding::wrong_input, "a lay table needs a model with a pipe"});
+  if (const auto obstacle = pipe_obstacle(*description, "a lay table"))
+    return tell({RunEnding::wrong_input, *obstacle});
   LayTableDescription asked;
   try {
     asked = asked_table(*description, arguments);

@@ -13,6 +13,7 @@
 #include "resultfiles/summary/summary_json.h"
 #include "results/fields/lay_table_fields.h"
 #include "seafiles/route_depths_reader.h"
+#include "statics/solver/static_obstacle.h"
 #include "study/lay_table/lay_table.h"
 #include "study/lay_table/lay_table_range.h"
 
@@ -76,7 +77,7 @@ std::shared_ptr<LayTableHandle> made_table(const Given<ModelHandle>& model, cons
   };
   const auto make = [&] {
     const Description& description = model->description();
-    if (!description.has_pipe) throw std::invalid_argument("a lay table needs a model with a pipe");
+    if (const auto obstacle = pipe_obstacle(description, "a lay table")) throw std::invalid_argument(*obstacle);
     handle->table = make_lay_table(description, asked_table(description, wish), told);
   };
   work_beside(make, watch.stopped, [&] { watch.tell(progress); });

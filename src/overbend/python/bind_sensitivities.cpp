@@ -8,6 +8,7 @@
 #include "python/to_python.h"
 #include "python/without_lock.h"
 #include "resultfiles/static/sensitivity_files.h"
+#include "statics/solver/static_obstacle.h"
 #include "study/sensitivity/sensitivities.h"
 
 namespace overbend {
@@ -17,7 +18,7 @@ namespace py = pybind11;
 
 SensitivityResults sensitivities_at(const ModelHandle& model, const std::string& stage, const SensitivityWish& wish) {
   const Description description = chosen_description(model, stage);
-  if (!description.has_pipe) throw std::invalid_argument("sensitivities are those of a lay; the model has no pipe");
+  if (const auto obstacle = pipe_obstacle(description, "sensitivities")) throw std::invalid_argument(*obstacle);
   Model lay = build_model(description);
   const ModelEquilibrium outcome = solve_lay(lay);
   if (outcome.failure) throw SolveFault(*outcome.failure);

@@ -25,7 +25,9 @@ TEST(static_obstacle, what_is_not_a_pipe_is_refused_as_input) {
     ASSERT_TRUE(refusal);
     EXPECT_TRUE(refusal->input);
     EXPECT_EQ(refusal->what, "the model has no pipe");
+    EXPECT_EQ(pipe_obstacle(*d, "a lay table"), "the model has no pipe for a lay table; give the key pipe");
   }
+  EXPECT_FALSE(pipe_obstacle(read("/examples/bgl1.yaml"), "a lay table"));
 }
 
 TEST(static_obstacle, nothing_beside_the_pipe_is_passed_over_in_silence) {

@@ -13,6 +13,7 @@
 #include "results/fields/lay_table_fields.h"
 #include "runstore/append_file.h"
 #include "serve/model/diagnose.h"
+#include "statics/solver/static_obstacle.h"
 #include "study/lay_table/lay_table.h"
 #include "study/lay_table/lay_table_range.h"
 
@@ -99,7 +100,7 @@ Json LayTables::make(const ModelText& model, const Json& request) {
   if (!reading.description) {
     return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading, model.text)}};
   }
-  if (!reading.description->has_pipe) throw HttpFault(422, "a lay table needs a model with a pipe");
+  if (const auto obstacle = pipe_obstacle(*reading.description, "a lay table")) throw HttpFault(422, *obstacle);
   const LayTableDescription wanted = asked(*reading.description, request);
   const std::uint64_t mine = ++asked_;
   const std::lock_guard one_at_a_time(work_);

@@ -5,6 +5,7 @@
 #include "results/fields/sensitivity_words.h"
 #include "serve/model/diagnose.h"
 #include "statics/moored/moored_lay.h"
+#include "statics/solver/static_obstacle.h"
 #include "study/sensitivity/sensitivities.h"
 
 namespace overbend {
@@ -65,7 +66,8 @@ Json sensitivities_of(const ModelText& model, const std::vector<YamlChange>& cha
   if (!reading.description) {
     return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading, text)}};
   }
-  if (!reading.description->has_pipe) return failed("there is no pipe", "", "sensitivities are those of a lay");
+  if (const auto obstacle = pipe_obstacle(*reading.description, "sensitivities"))
+    return failed("no sensitivities", "", *obstacle);
   Model lay = build_model(*reading.description);
   const ModelEquilibrium outcome = solve_lay(lay);
   if (outcome.failure) return failed(outcome.failure->what, outcome.failure->where, outcome.failure->why);

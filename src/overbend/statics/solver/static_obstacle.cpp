@@ -24,6 +24,11 @@ std::optional<StaticFailure> bent_route_obstacle(const Description& description)
 
 }  // namespace
 
+std::optional<std::string> pipe_obstacle(const Description& description, const std::string& what) {
+  if (description.has_pipe) return std::nullopt;
+  return "the model has no pipe for " + what + "; give the key pipe";
+}
+
 std::optional<StaticFailure> static_obstacle(const Description& description) {
   if (!description.has_pipe) {
     return obstacle("pipe", "the model has no pipe", "this analysis is that of a pipe");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "statics/solver/statics.h"
 
@@ -9,5 +10,8 @@ namespace overbend {
 
 /// Why the model's equilibrium is none of a pipe on a held vessel; empty where it is one.
 std::optional<StaticFailure> static_obstacle(const Description& description);
+
+/// Why there is nothing of a laid pipe to make of the model; `what`: "a lay table". Empty where it has a pipe.
+std::optional<std::string> pipe_obstacle(const Description& description, const std::string& what);
 
 }  // namespace overbend

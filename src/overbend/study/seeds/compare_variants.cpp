@@ -1,5 +1,7 @@
 #include "study/seeds/compare_variants.h"
 
+#include "statics/solver/static_obstacle.h"
+
 namespace overbend {
 namespace {
 
@@ -24,7 +26,7 @@ std::vector<Case> variants_of(ComparisonOf of) {
 }
 
 std::optional<std::string> comparison_obstacle(ComparisonOf of, const Description& description) {
-  if (!description.has_pipe) return "the model has no pipe, so there is neither tensioner nor contact to compare";
+  if (auto obstacle = pipe_obstacle(description, "a comparison of tensioners, contacts or impacts")) return obstacle;
   if (of == ComparisonOf::tensioner && !description.tensioner.range_low) {
     return "tensioner.range is missing: a controlled tensioner needs a range, for example [240 kN, 260 kN]";
   }
