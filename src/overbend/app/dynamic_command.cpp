@@ -60,8 +60,7 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
   std::cout << moored_dynamics_lines(r);
   std::cout << lines_in_time(statics.lines, r.lines);
   if (statics.hull) std::cout << hull_lines(*statics.hull);
-  if (statics.has_pipe()) std::cout << fatigue_lines(r);
-  std::cout << check_lines(r.checks);
+  std::cout << fatigue_lines(r) << check_lines(r.checks);
   std::cout << fmt::format("  {:<28}{:>12.1e} of the energy exchanged\n", "energy drift", r.energy.drift());
   std::cout << fmt::format("  {:<28}{:>12.2f} s, {} steps, {:.0f} times real time\n", "time loop", r.run.wall_time,
                            r.run.steps, r.run.real_time_ratio);

@@ -64,25 +64,24 @@ std::optional<StaticFailure> coupled_obstacle(const Description& d) {
   return std::nullopt;
 }
 
-/// A told motion that is there in full at once, away from where statics leave the vessel.
+/// A told motion that is there in full at once, away from where statics leave the vessel or the ends of lines.
 std::optional<StaticFailure> leap_obstacle(const Model& model) {
-  const double leap = leap_at_start(model);
-  if (leap <= kLargestLeap) return std::nullopt;
-  return refused("analysis.dynamic.build_up", "the vessel cannot be at once where its motion has it",
-                 fmt::format("without build-up the stern shoe leaps by {} from where statics have it, and strikes what "
-                             "hangs on it; give some wave periods",
-                             shown_digits(leap, "m", 3)));
-}
-
-/// The same of ends of lines that stand by themselves.
-std::optional<StaticFailure> line_leap_obstacle(const Model& model) {
-  const double leap = line_leap_at_start(model, dynamic_options(model));
-  if (leap <= kLargestLeap) return std::nullopt;
-  return refused(
-      "analysis.dynamic.build_up", "the ends of the lines cannot be at once where their motion has them",
-      fmt::format(
-          "without build-up an end leaps by {} from where statics have it, and jerks its line; give some periods",
-          shown_digits(leap, "m", 3)));
+  const auto refuse = [](const char* what, const std::string& why) {
+    return refused("analysis.dynamic.build_up", what, "without build-up " + why);
+  };
+  const double shoe = model.description.has_pipe || has_station(model.description) ? leap_at_start(model) : 0.0;
+  if (shoe > kLargestLeap) {
+    return refuse(
+        "the vessel cannot be at once where its motion has it",
+        fmt::format("the stern shoe leaps by {} from where statics have it, and strikes what hangs on it; give "
+                    "some wave periods",
+                    shown_digits(shoe, "m", 3)));
+  }
+  const double end = line_leap_at_start(model, dynamic_options(model));
+  if (end <= kLargestLeap) return std::nullopt;
+  return refuse("the ends of the lines cannot be at once where their motion has them",
+                fmt::format("an end leaps by {} from where statics have it, and jerks its line; give some periods",
+                            shown_digits(end, "m", 3)));
 }
 
 /// A record that ends before the run does. The vessel would stop dead there, and strike what hangs on it.
@@ -152,15 +151,9 @@ std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
     if (std::optional<StaticFailure> obstacle = static_obstacle(d)) return obstacle;
   }
   if (!d.dynamics) return without_dynamics();
-  const bool lines_alone = !d.has_pipe && !d.lines.empty();
-  if (std::optional<StaticFailure> obstacle =
-          lines_alone ? file_obstacle(d.vessel, dynamic_options(model)) : motion_obstacle(model)) {
-    return obstacle;
-  }
+  if (std::optional<StaticFailure> obstacle = motion_obstacle(model)) return obstacle;
   if (std::optional<StaticFailure> obstacle = sea_obstacle(d.environment.waves)) return obstacle;
-  if (std::optional<StaticFailure> obstacle = lines_alone ? line_leap_obstacle(model) : leap_obstacle(model)) {
-    return obstacle;
-  }
+  if (std::optional<StaticFailure> obstacle = leap_obstacle(model)) return obstacle;
   if (d.tensioner.range_low && d.tensioner.tension &&
       (*d.tensioner.tension < *d.tensioner.range_low || *d.tensioner.tension > *d.tensioner.range_high)) {
     return refused("tensioner.range", "the range does not contain tensioner.tension",

@@ -40,7 +40,7 @@ double speed_at_start(const Model& model) {
 
 double line_leap_at_start(const Model& model, const DynamicOptions& options) {
   const Description& d = model.description;
-  if (options.build_up > 0.0) return 0.0;
+  if (options.build_up > 0.0 || d.lines.empty()) return 0.0;
   const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, options.seed);
   const RigidMotion vessel = vessel_motion(make_vessel_motion(model, sea), 0.0, BuildUp{});
   double largest = 0.0;

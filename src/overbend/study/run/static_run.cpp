@@ -19,18 +19,13 @@ namespace overbend {
 
 StaticResults unjudged_statics(const Model& model, const ModelEquilibrium& equilibrium) {
   StaticResults results;
-  if (equilibrium.solution->has_pipe()) {
-    results = recover_in_current(model, *equilibrium.solution);
-  } else {
-    results.title = model.description.title;
-    results.version = kVersion;
-  }
+  if (equilibrium.solution->has_pipe()) results = recover_in_current(model, *equilibrium.solution);
+  results.title = model.description.title;
+  results.version = kVersion;
   results.findings = merge(std::move(results.findings), equilibrium.findings);
   results.assumptions = merge(std::move(results.assumptions), equilibrium.assumptions);
-  if (equilibrium.moorings && equilibrium.solution->has_pipe()) {
-    if (std::optional<Finding> finding = find_side_roller_contact(model.description, results)) {
-      results.findings.push_back(std::move(*finding));
-    }
+  if (std::optional<Finding> finding = find_side_roller_contact(model.description, results)) {
+    results.findings.push_back(std::move(*finding));
   }
   results.moorings = equilibrium.moorings;
   results.lines = equilibrium.lines;
