@@ -34,6 +34,7 @@ struct LiftedEnd {
   LinePlace at;
   double tension = 0.0;           ///< Effective [N].
   double horizontal_force = 0.0;  ///< With which it is pulled outwards [N].
+  double vertical_force = 0.0;    ///< With which it is held up [N].
 };
 
 /// A line that bends: a node of it.

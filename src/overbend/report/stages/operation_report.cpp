@@ -105,9 +105,7 @@ std::string operation_report_html(const OperationResults& results, const std::st
   const std::string stages =
       lift ? lift_sections(results, figure)
            : procedure_section(results, description) + stages_section(results, figure) + passage_part(results);
-  const std::string inputs = lay != nullptr && lay->has_pipe() ? inputs_section(*lay, description, nullptr)
-                             : lay != nullptr && description   ? inputs_section(*description)
-                                                               : "";
+  const std::string inputs = lay != nullptr ? inputs_section(*lay, description, nullptr) : "";
   const std::string rest = stages + stage_checks_section(results) + gear_section(description) + inputs +
                            assumptions_section(all_assumptions(results)) +
                            calculation_sheet_section(checks_of_stages(results)) + model_text_section(model_text);

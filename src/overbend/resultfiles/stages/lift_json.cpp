@@ -14,7 +14,9 @@ Json end_json(const LiftedEnd& end) {
   Json json = {{"x", end.at.place.x()}, {"y", end.at.place.y()}, {"z", end.at.place.z()}};
   json["inclination"] = end.at.inclination;
   json["tension"] = end.tension;
-  if (!end.free) json["horizontal_force"] = end.horizontal_force;
+  if (end.free) return json;
+  json["horizontal_force"] = end.horizontal_force;
+  json["vertical_force"] = end.vertical_force;
   return json;
 }
 
@@ -53,6 +55,7 @@ Json wire_json(const LiftedWire& wire) {
   Json json;
   json["on"] = wire.on;
   json["length"] = wire.length;
+  json["tension"] = wire.tension_upper;
   json["tension_upper"] = wire.tension_upper;
   json["tension_lower"] = wire.tension_lower;
   json["force_on_pipe"] = {{"x", wire.force.x()}, {"y", wire.force.y()}, {"z", wire.force.z()}};

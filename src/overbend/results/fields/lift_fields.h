@@ -32,6 +32,7 @@ void visit_lifted_end(Row& r, Visit& visit) {
   visit(ResultField{"free", "1", "1 where nothing holds it"}, r.free);
   visit(ResultField{"tension", "N", "Effective tension there"}, r.tension);
   visit(ResultField{"horizontal_force", "N", "With which it is pulled outwards"}, r.horizontal_force);
+  visit(ResultField{"vertical_force", "N", "With which it is held up"}, r.vertical_force);
 }
 
 /// What is told of such a line as a whole.

@@ -37,4 +37,13 @@ std::vector<double> lying_shape(const Model& model, const Line& line, const Vec3
   return q;
 }
 
+std::vector<double> level_shape(const Line& line, const Vec3& place, const Vec3& way, double s) {
+  std::vector<double> q;
+  for (const double node : line.mesh.s) {
+    const Vec3 axis = place + (node - s) * way;
+    q.insert(q.end(), {axis.x(), axis.y(), axis.z(), way.x(), way.y(), way.z()});
+  }
+  return q;
+}
+
 }  // namespace overbend

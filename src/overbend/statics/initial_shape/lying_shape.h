@@ -13,4 +13,7 @@ namespace overbend {
 /// touches the bed.
 std::vector<double> lying_shape(const Model& model, const Line& line, const Vec3& place, const Vec3& way, double s);
 
+/// The same of one that is straight and level at the height of `place`.
+std::vector<double> level_shape(const Line& line, const Vec3& place, const Vec3& way, double s);
+
 }  // namespace overbend

@@ -150,6 +150,7 @@ LiftedEnd end_of(const Solved& line, const LineEndDescription& end, LineEnd whic
   const Vec3 tangent = line.tangent(node);
   out.tension = outwards * force.dot(tangent);
   out.horizontal_force = outwards * force.head<2>().dot(tangent.head<2>().normalized());
+  out.vertical_force = force.z();
   return out;
 }
 

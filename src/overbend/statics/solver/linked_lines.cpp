@@ -92,7 +92,7 @@ class LinkedSetup {
     return mesh;
   }
 
-  /// Straight along the bed from the end that is held, or from where it starts.
+  /// Straight from the end that is held, or from where it starts: along the bed, or level where it is held above.
   void add_lying(std::size_t i) {
     const FreeLineDescription& line = lines_[i];
     const CableParts parts = parts_of(line);
@@ -112,7 +112,9 @@ class LinkedSetup {
     const Vec3 other = place + sense * length * way;
     Line& made = put_line(
         i, cable_line(model_, parts, mesh_of(line, parts), first_free ? other : place, first_free ? place : other));
-    setup_.start[to_size(setup_.lines[i])] = lying_shape(model_, made, place, way, first_free ? length : 0.0);
+    const bool lies = held.kind == LineEndKind::bed || held.kind == LineEndKind::free;
+    setup_.start[to_size(setup_.lines[i])] = lies ? lying_shape(model_, made, place, way, first_free ? length : 0.0)
+                                                  : level_shape(made, place, way, first_free ? length : 0.0);
     attach_ends(i);
   }
 
@@ -207,10 +209,10 @@ class LinkedSetup {
     const Vec3 place = Eigen::Map<const Vec3>(q), tangent = Eigen::Map<const Vec3>(q + 3);
     held.hold_place = true;
     held.body = body_of(end);
-    held.place = end.kind == LineEndKind::body   ? end.at
-                 : end.kind == LineEndKind::line ? Vec3(Vec3::Zero())
-                 : has_pipe_section(lines_[i])   ? place
-                                                 : end_place(model_, end);
+    held.place = end.kind == LineEndKind::body                                 ? end.at
+                 : end.kind == LineEndKind::line                               ? Vec3(Vec3::Zero())
+                 : end.kind == LineEndKind::bed && has_pipe_section(lines_[i]) ? place
+                                                                               : end_place(model_, end);
     held.hold_direction = end.clamped;
     if (!end.clamped) return held;
     held.direction = end.direction.normalized();
@@ -369,7 +371,7 @@ void LinkedLines::put(const LiftPosition& position) {
 }
 
 bool LinkedLines::rest(const SystemState& laid) {
-  constexpr double kSlowly = 1e9;      // without inertia and damping: friction goes with the way [s]
+  constexpr double kSlowly = 1e9;  // without inertia and damping: friction goes with the way [s]
   Equilibrium equilibrium(*assembly_, {LayHistory::monotonic, &laid, kSlowly});
   NewtonSettings newton;
   newton.max_iterations = 300;
