@@ -2,11 +2,10 @@
 
 #include <cmath>
 
-#include "checks/calculation_sheet.h"
+#include "base/shown_unit.h"
 #include "checks/check_row.h"
 #include "checks/check_section.h"
 #include "checks/dnv_strength.h"
-#include "checks/mooring_rows.h"
 
 namespace overbend {
 namespace {
@@ -42,19 +41,16 @@ CheckRow stress_row(const CheckSettings& settings, const LiftResults& lift) {
                         : worst->yield_stress;
   row.s = worst->at.arc_length;
   row.p_W = worst->at.place;
-  row.remark = "line '" + of->name + "'";
+  row.remark = "line '" + of->name + "', " + shown(row.s, "m", 1) + " from its first end";
   judge_ratio(row, stress_of(*worst), kStressShare * fy);
-  row.sheet = ratio_sheet(row);
   return row;
 }
 
 }  // namespace
 
-CheckTable check_lift(const Description& description, const StaticResults& statics) {
-  CheckTable table;
-  if (!statics.lift->lines.empty()) table.rows.push_back(stress_row(description.checks, *statics.lift));
-  for (CheckRow& row : line_rows(description, statics.lines, nullptr)) table.rows.push_back(std::move(row));
-  return table;
+std::vector<CheckRow> lift_rows(const CheckSettings& settings, const LiftResults& lift) {
+  if (lift.lines.empty()) return {};
+  return {stress_row(settings, lift)};
 }
 
 }  // namespace overbend

@@ -6,8 +6,7 @@
 
 namespace overbend {
 
-/// Equivalent stress of lifted pipe, and tensions of lines over their breaking loads. `statics` with a lift and its
-/// lines.
-CheckTable check_lift(const Description& description, const StaticResults& statics);
+/// Equivalent stress of pipe that other lines hold.
+std::vector<CheckRow> lift_rows(const CheckSettings& settings, const LiftResults& lift);
 
 }  // namespace overbend

@@ -54,7 +54,8 @@ std::string reasons(const CheckTable& table) {
 }  // namespace
 
 bool is_on_pipe(const CheckRow& row) {
-  return !row.id.starts_with("mooring_") && row.id != "anchor_load" && row.id != "line_load";
+  return !row.id.starts_with("mooring_") && row.id != "anchor_load" && row.id != "line_load" &&
+         !row.id.starts_with("lift_");
 }
 
 VerdictKind verdict_kind(const CheckTable& table, const Findings& findings) {

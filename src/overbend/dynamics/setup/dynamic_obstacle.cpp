@@ -1,6 +1,7 @@
 #include "dynamics/setup/dynamic_obstacle.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include "base/shown_unit.h"
 #include "dynamics/integrator/dynamic_clock.h"
@@ -149,6 +150,10 @@ std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
   const Description& d = model.description;
   if (d.has_pipe) {
     if (std::optional<StaticFailure> obstacle = static_obstacle(d)) return obstacle;
+  }
+  if (std::ranges::any_of(d.lines, is_linked)) {
+    return refused("lines", "lines that hold each other cannot be run in time yet",
+                   "static analysis brings them to rest, stage by stage");
   }
   if (!d.dynamics) return without_dynamics();
   if (std::optional<StaticFailure> obstacle = motion_obstacle(model)) return obstacle;

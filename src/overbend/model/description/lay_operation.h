@@ -60,17 +60,17 @@ struct JoinDescription {
 /// One stage: how far the line has gone, and what pulls it.
 struct LayStageDescription {
   std::string name;
-  std::vector<LineValue> lengths, tensions;  ///< Of lift: unstressed [m]; at the upper end [N].
-  std::optional<VesselOffset> vessel;        ///< Of lift.
-  std::optional<JoinDescription> join;       ///< Of lift.
-  std::optional<double> cable_out;           ///< Unstressed length from winch to head [m].
-  std::optional<double> pipe_out;            ///< Of start_up: unstressed length from tensioner to head [m].
+  std::optional<double> cable_out;       ///< Unstressed length from winch to head [m].
+  std::optional<double> pipe_out;        ///< Of start_up: unstressed length from tensioner to head [m].
   std::optional<double> passed;          ///< Of passage: length from the tensioner to the middle of the structure [m].
   std::optional<double> ahead;           ///< Of move: how far the barge has moved ahead [m].
   std::optional<double> tension;         ///< At the top [N].
   std::optional<double> bottom_tension;  ///< Instead: horizontal tension at touchdown [N].
   std::optional<double> tank_weight;     ///< Of ballast: weight of the tank, empty [N].
   std::optional<double> tank_ballast;    ///< Of ballast: fraction of it that is flooded [-].
+  std::vector<LineValue> lengths = {}, tensions = {};  ///< Of lift: unstressed [m]; at the upper end [N].
+  std::optional<VesselOffset> vessel = {};             ///< Of lift.
+  std::optional<JoinDescription> join = {};            ///< Of lift.
 };
 
 /// How the tension of generated stages is chosen.

@@ -38,7 +38,7 @@ struct LineSegmentDescription {
   std::string name;
   std::optional<double> length;  ///< Unstressed [m]; the first segment's may follow from a tension.
   LineTypeDescription type;
-  std::optional<SectionDescription> section;  ///< Of pipe, from which the numbers of `type` follow.
+  std::optional<SectionDescription> section = {};  ///< Of pipe, from which the numbers of `type` follow.
 };
 
 enum class PointKind { clump, buoy };

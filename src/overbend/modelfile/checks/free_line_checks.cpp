@@ -59,6 +59,18 @@ std::optional<double> length_of(const FieldValue& line) {
   return segments.empty() ? std::nullopt : std::optional(sum);
 }
 
+/// At an end that something holds there is nothing to hang on.
+void check_not_held(Checker& check, const FieldValue& line, const FieldValue& place, std::optional<double> length) {
+  constexpr double kSameNode = 0.02;  // [m]
+  const std::vector<FieldValue>& ends = Checker::items(line, "ends");
+  for (std::size_t i = 0; i < ends.size() && ends.size() == 2; ++i) {
+    const bool there = i == 0 ? place.number < kSameNode : length && std::abs(*length - place.number) < kSameNode;
+    if (!there || ends[i].mentions("free")) continue;
+    check.error(place, place.shown + ", where the line's end is held",
+                "a place between its ends, or an end that is free");
+  }
+}
+
 /// An end on another line: which is there, is not the line itself, does not hang on it in turn, and is long enough.
 void check_link(Checker& check, const FieldValue& line, const FieldValue& end) {
   const FieldValue* name = end.find("line");
@@ -79,6 +91,7 @@ void check_link(Checker& check, const FieldValue& line, const FieldValue& end) {
     check.error(*name, name->shown + ", which is attached to this line in turn", "a line that is not");
   }
   const auto length = length_of(*other);
+  if (place != nullptr) check_not_held(check, *other, *place, length);
   if (place != nullptr && length && place->number > *length) {
     check.error(*place, place->shown,
                 "at most the length of '" + name->text + "', " + format_quantity(*length, "m", "m"));

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "base/text.h"
@@ -49,6 +50,21 @@ void check_one_way(Checker& check, const FieldValue& stage) {
   }
 }
 
+/// Outside diameter of the steel at the first end of a line.
+const FieldValue* first_diameter(const FieldValue& line) {
+  const std::vector<FieldValue>& segments = Checker::items(line, "segments");
+  return segments.empty() ? nullptr : segments.front().find("steel.outside_diameter");
+}
+
+/// What is welded end to end has one diameter.
+void check_sections(Checker& check, const FieldValue& join, const FieldValue& first, const FieldValue& second) {
+  constexpr double kSame = 0.02;
+  const FieldValue *a = first_diameter(first), *b = first_diameter(second);
+  if (a == nullptr || b == nullptr || std::abs(a->number - b->number) <= kSame * a->number) return;
+  check.error(join, "pipes of " + a->shown + " and " + b->shown, "pipes of one outside diameter",
+              "a reducer is not in the model");
+}
+
 /// The first ends of two pipes, free, that have not been welded before.
 void check_join(Checker& check, const FieldValue& stage, std::map<std::string, int>& joined) {
   const FieldValue* join = stage.find("join");
@@ -61,6 +77,7 @@ void check_join(Checker& check, const FieldValue& stage, std::map<std::string, i
   const std::vector<FieldValue>& lines = Checker::items(check.root(), "lines");
   const std::vector<std::string> known = line_names(lines);
   if (names[0].text == names[1].text) check.error(names[1], "the same line again", "the name of another");
+  std::vector<const FieldValue*> welded;
   for (const FieldValue& name : names) {
     const auto found = std::ranges::find(known, name.text);
     if (found == known.end()) {
@@ -68,6 +85,7 @@ void check_join(Checker& check, const FieldValue& stage, std::map<std::string, i
       continue;
     }
     const FieldValue& line = lines[static_cast<std::size_t>(found - known.begin())];
+    welded.push_back(&line);
     const FieldValue* end = end_of(line, 0);
     if (!is_pipe(line)) {
       check.error(name, "a line without steel, " + name.shown, "pipe", "there is nothing to weld");
@@ -80,6 +98,7 @@ void check_join(Checker& check, const FieldValue& stage, std::map<std::string, i
                   "it was joined in line " + std::to_string(before->second));
     }
   }
+  if (welded.size() == 2) check_sections(check, *join, *welded[0], *welded[1]);
 }
 
 }  // namespace

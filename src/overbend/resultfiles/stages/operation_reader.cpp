@@ -4,7 +4,7 @@
 
 #include "model/description/operation_words.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
-#include "resultfiles/stages/lift_hdf5.h"
+#include "resultfiles/lines/lift_hdf5.h"
 #include "results/fields/lay_operation_fields.h"
 
 namespace overbend {

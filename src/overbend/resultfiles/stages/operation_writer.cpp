@@ -7,7 +7,7 @@
 #include "resultfiles/hdf5/hdf5_file.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
 #include "resultfiles/hdf5/object_links.h"
-#include "resultfiles/stages/lift_hdf5.h"
+#include "resultfiles/lines/lift_hdf5.h"
 #include "resultfiles/stages/stage_table.h"
 #include "resultfiles/static/finite_check.h"
 #include "resultfiles/tables/finite_visitor.h"

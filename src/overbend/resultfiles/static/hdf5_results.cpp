@@ -2,6 +2,7 @@
 #include "resultfiles/hdf5/hdf5_file.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
 #include "resultfiles/hdf5/object_links.h"
+#include "resultfiles/lines/lift_hdf5.h"
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/mooring_hdf5.h"
 #include "resultfiles/static/results_writer.h"
@@ -222,6 +223,7 @@ void write_static_parts(DatasetSink& file, const StaticResults& results) {
   if (results.moorings) write_moorings(file, *results.moorings);
   if (results.hull) write_hull(file, *results.hull);
   write_lines(file, results.lines);
+  if (results.lift) write_lift_group(file, "/lift", results);
 }
 
 void write_static_hdf5(const StaticResults& results, const Description& description, const std::filesystem::path& path,

@@ -1,5 +1,6 @@
 #include "resultfiles/summary/summary_json.h"
 
+#include "resultfiles/summary/lift_json.h"
 #include "resultfiles/summary/result_objects.h"
 #include "resultfiles/summary/summary_fields.h"
 #include "results/verdict.h"
@@ -30,6 +31,7 @@ Json static_summary_json(const StaticResults& r) {
   if (r.moorings) add_moorings(*r.moorings, summary);
   if (r.hull) add_hull(*r.hull, summary);
   add_lines(r, summary);
+  if (r.lift) summary["static"]["lift"] = lift_json(*r.lift);
   return summary;
 }
 

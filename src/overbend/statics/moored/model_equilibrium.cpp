@@ -4,6 +4,8 @@
 #include "model/model_findings.h"
 #include "model/vessel/station.h"
 #include "statics/moored/moored_lay.h"
+#include "statics/recovery/lift_findings.h"
+#include "statics/recovery/lift_recovery.h"
 #include "statics/recovery/lines_recovery.h"
 #include "statics/solver/lines_setup.h"
 
@@ -30,12 +32,29 @@ StaticFailure unbalanced(const Model& model, const LinesRest& rest) {
           "its forces do not balance; a longer line or a finer `element` may help"};
 }
 
+/// Lines that hold each other rest together, as they are drawn.
+ModelEquilibrium solve_linked_lines(const Model& model) {
+  ModelEquilibrium found;
+  LinkedLines linked(model);
+  found.failure = linked.bring_to(drawn_position(model.description));
+  if (found.failure) return found;
+  found.assumptions = lift_assumptions(model);
+  found.findings = model_findings(model);
+  found.lines = recover_linked_lines(model, linked);
+  found.lift = recover_lift(model, linked, nullptr);
+  warn_of_lift(model, *found.lift, found.findings);
+  found.solution.emplace();
+  found.solution->pose = model.mean_pose;
+  return found;
+}
+
 }  // namespace
 
 ModelEquilibrium solve_lines(const Model& model) {
   ModelEquilibrium found;
   found.failure = lines_obstacle(model.description);
   if (found.failure) return found;
+  if (has_linked_lines(model.description)) return solve_linked_lines(model);
   auto lines = std::make_shared<LinesAtRest>(LinesAtRest{lines_setup(model), {}, {}});
   lines->state = start_of(lines->setup, 0.0);
   Assembly assembly(lines->setup.system);

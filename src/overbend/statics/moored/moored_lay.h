@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/assumption.h"
+#include "results/lift_results.h"
 #include "results/line_results.h"
 #include "results/mooring_results.h"
 #include "statics/solver/statics.h"
@@ -16,6 +17,7 @@ struct ModelEquilibrium {
   std::optional<StaticSolution> solution{};  ///< What the next statics, and a run in time, start from.
   std::optional<MooringResults> moorings{};  ///< Of a hull on mooring lines, or by dynamic positioning.
   std::vector<LineResult> lines{};           ///< That stand by themselves.
+  std::optional<LiftResults> lift{};         ///< Of lines that hold each other.
   // Of all but the pipe, whose results are recovered from the solution.
   Assumptions assumptions{};
   Findings findings{};

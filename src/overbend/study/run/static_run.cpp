@@ -29,6 +29,7 @@ StaticResults unjudged_statics(const Model& model, const ModelEquilibrium& equil
   }
   results.moorings = equilibrium.moorings;
   results.lines = equilibrium.lines;
+  results.lift = equilibrium.lift;
   return results;
 }
 

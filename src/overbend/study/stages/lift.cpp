@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "base/version.h"
-#include "checks/lift_rows.h"
+#include "checks/run_checks.h"
 #include "model/model_findings.h"
 #include "statics/recovery/lift_findings.h"
 #include "statics/recovery/lift_recovery.h"
@@ -47,7 +47,8 @@ StaticResults results_of(const Model& model, const LinkedLines& lines, const Joi
   results.lines = recover_linked_lines(model, lines);
   results.lift = recover_lift(model, lines, join);
   warn_of_lift(model, *results.lift, results.findings);
-  results.checks = check_lift(model.description, results);
+  fill_checks(model, results);
+  accept(results.findings, model.description.checks.accepted_findings);
   return results;
 }
 

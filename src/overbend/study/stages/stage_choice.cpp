@@ -66,6 +66,11 @@ bool yields(const Description& d) {
 }  // namespace
 
 std::variant<Description, RunEnd> choose_stage(const Description& description, const std::string& wanted) {
+  if (description.operation.type == OperationType::lift) {
+    return RunEnd{RunEnding::wrong_input,
+                  "a stage of a lift cannot be taken by itself yet: static analysis goes through "
+                  "all of them"};
+  }
   const Stages stages = is_lay_operation(description.operation.type) ? lay_stages(description) : Stages{};
   const std::optional<std::size_t> index = index_of(stages, wanted);
   if (!index) return no_such_stage(stages, wanted);

@@ -1,4 +1,4 @@
-#include "resultfiles/stages/lift_hdf5.h"
+#include "resultfiles/lines/lift_hdf5.h"
 
 #include "resultfiles/hdf5/check_hdf5.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"

@@ -1,4 +1,4 @@
-#include "resultfiles/stages/lift_json.h"
+#include "resultfiles/summary/lift_json.h"
 
 namespace overbend {
 namespace {
@@ -35,6 +35,7 @@ Json line_json(const LiftedLine& line) {
   json["largest_sagging_moment"] = moment_json(line.sagging);
   json["largest_hogging_moment"] = moment_json(line.hogging);
   json["largest_bending_moment"] = moment_json(line.bending);
+  json["largest_bending_moment"]["kind"] = line.sagging.value >= line.hogging.value ? "sagging" : "hogging";
   json["largest_bending_stress"] = line.bending_stress;
   json["largest_tension"] = line.largest_tension;
   json["least_tension"] = line.least_tension;
