@@ -1,6 +1,7 @@
 #include "app/stage_lines.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -75,6 +76,34 @@ std::string lift_heads() {
                      shown_name("Pa"), shown_name("N"));
 }
 
+std::string planned_values(const std::vector<LineValue>& values, const char* unit) {
+  std::string words;
+  for (const LineValue& value : values) {
+    words += (words.empty() ? "" : ", ") + for_display(value.line) + " " + shown_digits(value.value, unit, 5);
+  }
+  return words;
+}
+
+/// What is asked of the lines at every stage of a lift.
+std::string planned_lift(const Description& description) {
+  std::string lines = "\nStages of the operation lift\n";
+  int number = 0;
+  for (const LayStageDescription& stage : description.operation.lay.stages) {
+    ++number;
+    std::vector<std::string> parts;
+    if (!stage.lengths.empty()) parts.push_back(planned_values(stage.lengths, "m"));
+    if (!stage.tensions.empty()) parts.push_back(planned_values(stage.tensions, "N"));
+    if (stage.vessel) {
+      parts.push_back(fmt::format("vessel {} ahead, {} to port, {} clockwise", shown(stage.vessel->x, "m", 2),
+                                  shown(stage.vessel->y, "m", 2), shown(stage.vessel->heading, "rad", 2)));
+    }
+    if (stage.join) parts.push_back("weld " + stage.join->first + " to " + stage.join->second);
+    const std::string name = stage.name.empty() ? "stage " + std::to_string(number) : stage.name;
+    lines += fmt::format("  {:<26}{}\n", for_display(name, 25), fmt::join(parts, "; "));
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::string stage_heads(OperationType type) {
@@ -115,6 +144,7 @@ std::string stage_line(const StageResult& stage) {
 std::string planned_stages(const Description& description) {
   const OperationType type = description.operation.type;
   if (!is_lay_operation(type)) return "";
+  if (type == OperationType::lift) return planned_lift(description);
   std::string lines = fmt::format("\nStages of the operation {}\n  {:<20}{:>11}{:>10}\n  {:<20}{:>11}{:>10}\n",
                                   operation_word(type), "stage", progress_words(type), "tension", "",
                                   type == OperationType::ballast ? "" : shown_name("m"), shown_name("N"));
