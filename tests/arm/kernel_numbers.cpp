@@ -94,6 +94,7 @@ LineView pipe(Arrays& a) {
   line.displaced_mass = a.of(70.0, 80.0);
   line.added_normal = a.of(70.0, 80.0);
   line.added_axial = a.of(1.0, 2.0);
+  line.drag_on_bed = a.of(-0.5, -0.4);
   return line;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mechanics/ground.h"
 #include "mechanics/point_load.h"
 #include "mechanics/quadrature.h"
 #include "mechanics/slack_law.h"
@@ -191,6 +192,62 @@ TEST(line_kernel, friction_on_a_bent_route_is_that_of_the_point_load) {
   }
   EXPECT_GT(points.norm(), 1e3);
   EXPECT_LT((kernel - points).norm(), 1e-9 * points.norm());
+}
+
+/// Dragged along a bed, plane or uneven, half against the route and half with it.
+Setting dragged(bool uneven) {
+  Setting s = setting({-92.5, uneven}, true);  // partly in the bed
+  s.env.dragged = true;
+  for (std::size_t e = 0; e < s.elements.drag_on_bed.size(); ++e) s.elements.drag_on_bed[e] = e < 6 ? -0.45 : 0.6;
+  return s;
+}
+
+TEST(line_kernel, tangent_of_a_dragged_line_is_the_derivative_of_the_force) {
+  for (const bool uneven : {false, true}) expect_exact_tangent(dragged(uneven));
+}
+
+TEST(line_kernel, friction_of_a_dragged_line_is_its_share_of_the_normal_force_along_the_bed) {
+  for (const bool uneven : {false, true}) {
+    Setting s = dragged(uneven);
+    s.env.bed_friction_lateral = 0.0;  // level, so that it has a part along a bed that slopes across
+    for (const int e : {2, 8}) {
+      const CentrelinePoint at =
+          centreline(testing::element_dofs(s.q, e), 0.5, s.elements.length[static_cast<std::size_t>(e)]);
+      const PointLoad load = point_load(s.elements, s.env, e, at.r, at.a);
+      const GroundPoint ground = ground_at(s.env, at.r);
+      if (load.seabed_normal == 0.0) continue;
+      const double drag = s.elements.drag_on_bed[static_cast<std::size_t>(e)];
+      EXPECT_NEAR(load.seabed.dot(ground.along_route), drag * load.seabed_normal, 1e-9 * load.seabed_normal);
+    }
+  }
+}
+
+TEST(line_kernel, friction_of_a_dragged_line_in_the_kernel_is_that_of_the_point_load) {
+  for (const bool uneven : {false, true}) {
+    const Setting s = dragged(uneven);
+    Setting none = dragged(uneven);
+    std::fill(none.elements.drag_on_bed.begin(), none.elements.drag_on_bed.end(), 0.0);
+    const std::vector<double> with = residual(s, s.q, nullptr, best_isa()),
+                              without = residual(none, none.q, nullptr, best_isa());
+    Vec3 kernel = Vec3::Zero(), points = Vec3::Zero();
+    for (int node = 0; node < s.nodes; ++node) {
+      for (int i = 0; i < 3; ++i) {
+        const std::size_t dof = static_cast<std::size_t>(6 * node + i);
+        kernel(i) -= with[dof] - without[dof];
+      }
+    }
+    for (int e = 0; e + 1 < s.nodes; ++e) {
+      const double h = s.elements.length[static_cast<std::size_t>(e)];
+      for (int i = 0; i < kGaussPoints; ++i) {
+        const CentrelinePoint at = centreline(testing::element_dofs(s.q, e), kGaussXi[i], h);
+        points += kGaussWeight[i] * h *
+                  (point_load(s.elements, s.env, e, at.r, at.a).seabed -
+                   point_load(none.elements, none.env, e, at.r, at.a).seabed);
+      }
+    }
+    EXPECT_GT(points.norm(), 1e3);
+    EXPECT_LT((kernel - points).norm(), 1e-9 * points.norm());
+  }
 }
 
 TEST(line_kernel, gives_the_same_on_every_instruction_set) {

@@ -182,6 +182,8 @@ TEST_F(field_ranges, only_places_and_angles_may_be_negative) {
                                         "supports.ramp.boxes[].offset",
                                         "supports.stinger.boxes[].offset",
                                         "environment.seabed.profile[].x",
+                                        "environment.seabed.profile[].depth",
+                                        "operation.winch.depth",
                                         "environment.seabed.bathymetry_midship.east",
                                         "environment.seabed.bathymetry_midship.north",
                                         "route.points[].x",

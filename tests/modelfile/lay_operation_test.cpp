@@ -25,6 +25,12 @@ std::string abandonment(const std::string& more) {
   return "type: abandonment, " + kHead + ", " + kCable + ", " + more;
 }
 
+const std::string kWinch = "winch: {distance: 900 m, depth: 2 m}, ";
+
+std::string pull(const std::string& more) {
+  return "type: shore_pull, " + kHead + ", " + kCable + ", " + more;
+}
+
 std::string start_up(const std::string& more) {
   return "type: start_up, " + kHead + ", " + kLaidCable + ", " + more;
 }
@@ -169,6 +175,32 @@ struct Slip {
   const char *key, *words;
 };
 
+TEST(lay_operation, a_pull_has_a_winch_at_a_distance_and_tensions_of_the_tensioner) {
+  const Description d = read_good(pull(kWinch + "stages: {from: 100 m, to: 300 m, steps: 2, tension: 180 kN}"));
+  EXPECT_EQ(d.operation.type, OperationType::shore_pull);
+  EXPECT_EQ(d.operation.lay.winch->distance, 900.0);
+  EXPECT_EQ(d.operation.lay.winch->depth, 2.0);
+  EXPECT_FALSE(d.operation.lay.cable->friction.has_value());
+  const std::vector<LayStageDescription> stages = lay_stages(d);
+  ASSERT_EQ(stages.size(), 3U);
+  for (const LayStageDescription& stage : stages) EXPECT_EQ(stage.tension.value(), 180e3);
+  EXPECT_EQ(stages[1].pipe_out.value(), 200.0);
+}
+
+TEST(lay_operation, a_dragged_line_has_friction_of_its_rollers_the_way_it_goes_and_no_length_of_its_own) {
+  const Description d = read_good(pull(kWinch + "stages: [{pipe_out: 95 m}]"));
+  const Description stage = at_stage(d, lay_stages(d).front());
+  EXPECT_TRUE(is_dragged(stage));
+  EXPECT_FALSE(is_dragged(d));
+  EXPECT_EQ(dragging_direction(stage), 1.0);
+  EXPECT_EQ(stage.statics.roller_friction, RollerFriction::lay);
+  EXPECT_FALSE(stage.pipe.length.has_value());
+  const Model model = build_model(stage);
+  EXPECT_EQ(model.kind_at(94.0), SectionKind::pipe);
+  EXPECT_EQ(model.kind_at(98.0), SectionKind::head);
+  EXPECT_EQ(model.kind_at(5000.0), SectionKind::cable);
+}
+
 TEST(lay_operation, every_slip_is_told_once_with_its_key) {
   const std::string one = "stages: [{cable_out: 60 m}]";
   const std::string heavy = "head: {length: 6 m, weight_in_air: 40 kN, weight_submerged: 44 kN}";
@@ -193,7 +225,8 @@ TEST(lay_operation, every_slip_is_told_once_with_its_key) {
       {abandonment("stages: {from: 0 m, to: 60 m}"), "operation.stages.from", "above 0 m"},
       {abandonment("stages: {from: 60 m}"), "operation.stages.to", "missing"},
       {abandonment("stages: {from: 60 m, to: 160 m, tension: sought}"), "operation.stages.tension", "seek"},
-      {abandonment("stages: {from: 60 m, to: 160 m, tension: 300 kN}"), "operation.stages.tension", "one of hold"},
+      {abandonment("stages: {from: 60 m, to: 160 m, tension: 4300 kN}"), "operation.stages.tension", "breaking load"},
+      {abandonment("stages: {from: 60 m, to: 160 m, tension: -300 kN}"), "operation.stages.tension", "above 0 kN"},
       {abandonment("stages: {from: 60 m, to: 160 m, tension: []}"), "operation.stages.tension", "at least 1"},
       {abandonment("stages: {from: 60 m, to: 160 m, tension: bottom}"), "operation.stages.bottom_tension", "missing"},
       {abandonment("stages: {from: 60 m, to: 160 m, bottom_tension: 90 kN}"), "operation.stages.bottom_tension",
@@ -213,6 +246,30 @@ TEST(lay_operation, every_slip_is_told_once_with_its_key) {
        "operation.stages[0].tension", "follows from the distance"},
       {start_up("anchor: {depth: 88 m}, winch: {x: 1 m, z: 1 m}, stages: [{pipe_out: 95 m}]"), "operation.winch",
        "a key of abandonment"},
+      {abandonment("winch: {distance: 500 m, depth: 2 m}, " + one), "operation.winch.distance", "x and z"},
+      {"type: shore_pull, " + kCable + ", winch: {distance: 900 m, depth: 2 m}, stages: [{pipe_out: 95 m}]",
+       "operation.head", "shore_pull needs it"},
+      {"type: shore_pull, " + kHead + ", winch: {distance: 900 m, depth: 2 m}, stages: [{pipe_out: 95 m}]",
+       "operation.cable", "shore_pull needs it"},
+      {pull("stages: [{pipe_out: 95 m}]"), "operation.winch", "shore_pull needs it"},
+      {pull("winch: {distance: 900 m}, stages: [{pipe_out: 95 m}]"), "operation.winch.depth", "missing"},
+      {pull("winch: {distance: 900 m, depth: 2 m, x: 3 m}, stages: [{pipe_out: 95 m}]"), "operation.winch.x",
+       "distance and depth"},
+      {pull("winch: {distance: 900 m, depth: 90 m}, stages: [{pipe_out: 95 m}]"), "operation.winch.depth", "89 m"},
+      {pull(kWinch + "stages: [{pipe_out: 95 m}, {pipe_out: 950 m}]"), "operation.stages[1].pipe_out", "has passed"},
+      {pull(kWinch + "stages: {from: 100 m, to: 950 m}"), "operation.stages.to", "has passed"},
+      {pull(kWinch + "stages: [{pipe_out: 95 m, tension: -10 kN}]"), "operation.stages[0].tension", "above 0 kN"},
+      {pull(kWinch + "stages: [{pipe_out: 95 m, tension: 0 kN}]"), "operation.stages[0].tension", "above 0 kN"},
+      {pull(kWinch + "stages: {from: 100 m, to: 300 m, tension: 0 kN}"), "operation.stages.tension", "above 0 kN"},
+      {pull(kWinch + "stages: [{cable_out: 95 m, pipe_out: 90 m}]"), "operation.stages[0].cable_out",
+       "a key of abandonment"},
+      {"type: shore_pull, " + kHead + ", " + kLaidCable + ", " + kWinch + "stages: [{pipe_out: 95 m}]",
+       "operation.cable.length", "operation.stages[0].pipe_out"},
+      {"type: abandonment, " + kHead +
+           ", cable: {diameter: 76 mm, weight_in_air: 240 N/m, weight_submerged: 205 N/m, axial_stiffness: 2.7e5 kN, "
+           "friction: 0.4}, " +
+           one,
+       "operation.cable.friction", "shore_pull and hold_back"},
       {"type: move, stages: [{cable_out: 1 m, ahead: 1 m}]", "operation.stages[0].cable_out", "a key of abandonment"},
       {"type: moored, stages: {from: 1 m, to: 2 m}", "moorings", "missing"},
   };

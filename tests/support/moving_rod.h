@@ -83,7 +83,8 @@ inline System rod_system(const RodMaterial& material, double length, int count) 
                                                           {&e.mass, material.mass},
                                                           {&e.displaced_mass, material.displaced_mass},
                                                           {&e.added_normal, material.added_normal},
-                                                          {&e.added_axial, 0.0}};
+                                                          {&e.added_axial, 0.0},
+                                                          {&e.drag_on_bed, 0.0}};
   for (const auto& [values, value] : constants) {
     fill(*values, value, 0.0);
   }

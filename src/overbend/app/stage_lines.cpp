@@ -25,7 +25,7 @@ std::optional<double> progress(const LayStageDescription& stage) {
 
 const char* progress_words(OperationType type) {
   if (type == OperationType::ballast) return "tank";
-  if (type == OperationType::start_up) return "pipe out";
+  if (type == OperationType::start_up || drags_along_bed(type)) return "pipe out";
   if (type == OperationType::move) return "ahead";
   return type == OperationType::passage ? "passed" : "cable out";
 }
@@ -104,10 +104,40 @@ std::string planned_lift(const Description& description) {
   return lines;
 }
 
+/// Of a pull along the bed: tension at the winch, cable, sagbend, least tension of the line.
+std::string dragged_heads() {
+  const auto row = [](const auto&... cells) {
+    return fmt::format("  {:<20}{:>11}{:>10}{:>12}{:>10}{:>10}{:>11}  {}\n", cells...);
+  };
+  return row("stage", "pipe out", "tension", "at winch", "cable out", "sagbend", "least", "largest utilisation") +
+         row("", shown_name("m"), shown_name("N"), shown_name("N"), shown_name("m"), shown_name("Pa"), shown_name("N"),
+             "");
+}
+
+std::string dragged_cells(const StaticResults& lay) {
+  const std::optional<double> sagbend = has_sagbend(lay) ? std::optional(lay.sagbend.von_mises.value) : std::nullopt;
+  return cell(lay.dragging->winch_tension, shown_unit("N"), 1, 12) + cell(lay.cable->length, shown_unit("m"), 1, 10) +
+         cell(sagbend, shown_unit("Pa"), 1, 10) + cell(lay.smallest_tension.value, shown_unit("N"), 1, 11);
+}
+
+std::string found_cells(const StageResult& stage) {
+  const StaticResults& lay = *stage.lay;
+  if (lay.dragging) return dragged_cells(lay);
+  const std::optional<double> depth = lay.head ? std::optional(-lay.head->p_W.z()) : std::nullopt;
+  const bool tank = stage.stage.tank_weight || stage.stage.tank_ballast;
+  const auto of_sagbend = [&](double value) { return has_sagbend(lay) ? std::optional(value) : std::nullopt; };
+  return (tank && !lay.stinger.empty() ? cell(lay.stinger.front().angle, shown_unit("rad"), 2, 12)
+                                       : cell(depth, shown_unit("m"), 1, 12)) +
+         cell(of_sagbend(lay.sagbend.von_mises.value), shown_unit("Pa"), 1, 10) +
+         cell(of_sagbend(lay.sagbend.strain.value), shown_unit("strain", "1"), 3, 10) +
+         cell(lay.stinger_tip_clearance, shown_unit("m"), 2, 11);
+}
+
 }  // namespace
 
 std::string stage_heads(OperationType type) {
   if (type == OperationType::lift) return lift_heads();
+  if (drags_along_bed(type)) return dragged_heads();
   const bool ballast = type == OperationType::ballast;
   return fmt::format("  {:<20}{:>11}{:>10}{:>12}{:>10}{:>10}{:>11}  {}\n  {:<20}{:>11}{:>10}{:>12}{:>10}{:>10}{:>11}\n",
                      "stage", progress_words(type), "tension", ballast ? "stinger" : "head depth", "sagbend", "strain",
@@ -127,16 +157,8 @@ std::string stage_line(const StageResult& stage) {
     return line + "\n";
   }
   if (stage.lay->lift) return lift_line(stage);
-  const StaticResults& lay = *stage.lay;
-  const std::optional<double> depth = lay.head ? std::optional(-lay.head->p_W.z()) : std::nullopt;
-  const bool tank = stage.stage.tank_weight || stage.stage.tank_ballast;
-  line += cell(lay.top_tension, shown_unit("N"), 1, 10);
-  line += tank && !lay.stinger.empty() ? cell(lay.stinger.front().angle, shown_unit("rad"), 2, 12)
-                                       : cell(depth, shown_unit("m"), 1, 12);
-  const auto of_sagbend = [&](double value) { return has_sagbend(lay) ? std::optional(value) : std::nullopt; };
-  line += cell(of_sagbend(lay.sagbend.von_mises.value), shown_unit("Pa"), 1, 10) +
-          cell(of_sagbend(lay.sagbend.strain.value), shown_unit("strain", "1"), 3, 10);
-  line += cell(lay.stinger_tip_clearance, shown_unit("m"), 2, 11) + "  " + worst_words(lay.checks);
+  line +=
+      cell(stage.lay->top_tension, shown_unit("N"), 1, 10) + found_cells(stage) + "  " + worst_words(stage.lay->checks);
   if (!stage.governing.empty()) line += ", tension decided by " + stage.governing;
   return line + "\n";
 }

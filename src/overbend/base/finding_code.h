@@ -137,6 +137,9 @@ enum class FindingCode {
   gap_between_passing_values,
   table_range_unknown,
   study_inputs,
+  dragged_head_lifted,
+  dragged_cable_on_bed,
+  dragged_line_clear_of_bed,
   // Input files
   unusual_input,
   unused_input,

@@ -19,6 +19,7 @@ struct ElementConstants {
   double drag_normal = 0.0, drag_axial = 0.0;  ///< [kg/m2]
   double pressure_constant = 0.0, pressure_slope = 0.0, pressure_external = 0.0;   ///< [N], [N/m], [N/m]
   double mass = 0.0, displaced_mass = 0.0, added_normal = 0.0, added_axial = 0.0;  ///< [kg/m]
+  double drag_on_bed = 0.0;                                                        ///< [-]
 };
 
 /// Of a pipe with this section in the model's water.

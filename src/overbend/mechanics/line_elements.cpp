@@ -6,6 +6,7 @@
 
 #include "mechanics/element_constants.h"
 #include "mechanics/slack_law.h"
+#include "model/lay_stage.h"
 #include "model/pipe/line_types.h"
 #include "model/site/bed_shape.h"
 
@@ -32,6 +33,15 @@ void set_damping(LineElements& e) {
   }
 }
 
+/// Friction against the motion of a line that is dragged along the bed, positive away from the vessel [-].
+double drag_on_bed(const Model& model, const Section& section) {
+  const double way = dragging_direction(model.description);
+  if (way == 0.0) return 0.0;
+  const bool cable = section.kind == SectionKind::cable;
+  const double axial = model.seabed.friction_axial;
+  return -way * (cable ? model.description.operation.lay.cable->friction.value_or(axial) : axial);
+}
+
 }  // namespace
 
 ElementConstants pipe_constants(const Model& model, const Section& section) {
@@ -52,6 +62,7 @@ ElementConstants pipe_constants(const Model& model, const Section& section) {
   c.displaced_mass = model.water_density * section.external_area;
   c.added_normal = section.added_mass_normal * c.displaced_mass;
   c.added_axial = section.added_mass_axial * c.displaced_mass;
+  c.drag_on_bed = drag_on_bed(model, section);
   return c;
 }
 
@@ -101,6 +112,7 @@ LineElements elements_of_kinds(const std::vector<double>& lengths, const std::ve
   fill(e.displaced_mass, &ElementConstants::displaced_mass, 0.0);
   fill(e.added_normal, &ElementConstants::added_normal, 0.0);
   fill(e.added_axial, &ElementConstants::added_axial, 0.0);
+  fill(e.drag_on_bed, &ElementConstants::drag_on_bed, 0.0);
   set_damping(e);
   return e;
 }
@@ -134,6 +146,7 @@ LineEnvironment line_environment(const Model& model, const LayRoute& route) {
   env.bed_friction_lateral = model.seabed.friction_lateral;
   env.bed_friction_axial = model.seabed.friction_axial;
   env.bed_stick = model.seabed.stiffness;
+  env.dragged = is_dragged(model.description);
   env.bed_soil = static_cast<int>(model.description.environment.seabed.soil);
   env.bed_bearing = model.description.environment.seabed.bearing_force.value_or(0.0);
   env.bed_damping = model.description.environment.seabed.damping;
@@ -170,6 +183,7 @@ LineView LineElements::view() const {
   v.displaced_mass = displaced_mass.data();
   v.added_normal = added_normal.data();
   v.added_axial = added_axial.data();
+  v.drag_on_bed = drag_on_bed.data();
   return v;
 }
 

@@ -32,6 +32,8 @@ struct LineElements {
   AlignedDoubles displaced_mass;     ///< Of the water that the pipe displaces [kg/m].
   AlignedDoubles added_normal;       ///< Added mass across the pipe, fully submerged [kg/m].
   AlignedDoubles added_axial;        ///< Along the pipe [kg/m].
+  /// Friction of a line dragged along the bed: force along it, positive away from the vessel, per normal force [-].
+  AlignedDoubles drag_on_bed;
 
   std::size_t padded() const { return length.size(); }
 

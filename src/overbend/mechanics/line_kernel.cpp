@@ -73,8 +73,9 @@ inline void put_last_forces(const UpperForces& upper, const LineTarget& target, 
 }
 
 inline LoadConstants load_constants(const LineView& line, int first) {
-  return {load_lanes(line.weight + first), load_lanes(line.buoyancy + first), load_lanes(line.radius + first),
-          load_lanes(line.drag_normal + first), load_lanes(line.drag_axial + first)};
+  return {load_lanes(line.weight + first),     load_lanes(line.buoyancy + first),
+          load_lanes(line.radius + first),     load_lanes(line.drag_normal + first),
+          load_lanes(line.drag_axial + first), load_lanes(line.drag_on_bed + first)};
 }
 
 inline InertiaConstants inertia_constants(const LineView& line, int first) {

@@ -15,6 +15,7 @@ struct LineView {
   const double *length, *EA, *EI, *compression, *damping, *weight, *buoyancy, *radius, *drag_normal, *drag_axial;
   const double *pressure_constant, *pressure_slope, *pressure_external;
   const double *mass, *displaced_mass, *added_normal, *added_axial;
+  const double* drag_on_bed;
 };
 
 /// What acts on every element. Directions and points in W. Bed and route are numbers here and functions of the place in
@@ -31,7 +32,9 @@ struct LineEnvironment {
   double bed_stiffness = 0.0;  ///< [N/m2]
   double bed_friction_lateral = 0.0;
   double bed_friction_axial = 0.0;
-  double bed_stick = 0.0;                    ///< Elastic stick per length [N/m2].
+  double bed_stick = 0.0;  ///< Elastic stick per length [N/m2].
+  /// Whether the line is dragged along the bed: in statics LineView::drag_on_bed acts instead of bed_friction_axial.
+  bool dragged = false;
   int bed_soil = 0;                          ///< As SoilModel: linear, hyperbolic, bilinear.
   double bed_bearing = 0.0;                  ///< Of soil that is not linear [N/m].
   double bed_damping = 0.0;                  ///< On approach, in motion only [N s/m2].

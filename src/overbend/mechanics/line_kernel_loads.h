@@ -157,11 +157,42 @@ inline void add_downhill_friction_in_bend(PointLoad<kTangent>& load, const LineE
   add_in_place(load, (touching - sliding * touching) * submerged_weight * turn.z, along, level);
 }
 
+/// Friction of a line dragged along the bed: `drag` times the normal force, along the route as it lies on the bed.
+template <bool kTangent>
+inline void add_dragging_friction(PointLoad<kTangent>& load, const LineEnvironment& env, const Vec& r,
+                                  const BedUnder& bed, const Lanes& normal, const Lanes& stiffness, const Lanes& drag) {
+  const Lanes force = drag * normal;
+  if (env.bed_shape == nullptr) {
+    const Vec along = along_route(env, r);
+    load.f = load.f + force * along;
+    add_in_place(load, -drag * stiffness, along, bed.gradient);
+    return;
+  }
+  const AlongShape along = along_shape(env, r, bed);
+  load.f = load.f + force * along.direction;
+  add_in_place(load, force, along.turn);
+  add_in_place(load, -drag * stiffness, along.direction, bed.gradient);
+}
+
+/// Axial friction that keeps the laid pipe from sliding down a plane bed.
+template <bool kTangent>
+inline void add_downhill_friction_on_plane(PointLoad<kTangent>& load, const LineEnvironment& env, const Vec& r,
+                                           const Vec& n, const Lanes& touching, const Lanes& normal,
+                                           const Lanes& stiffness, const Lanes& submerged_weight) {
+  const Vec along = along_route(env, r);
+  const double uphill = env.bed_along[2] > 0.0 ? 1.0 : -1.0;
+  const Lanes pull = submerged_weight * (uphill * env.bed_along[2]);
+  const Lanes limit = env.bed_friction_axial * normal;
+  const Lanes sliding = pull > limit ? all(1.0) : Lanes{};
+  load.f = load.f + (uphill * (sliding * limit + (touching - sliding * touching) * pull)) * along;
+  add_in_place(load, -uphill * env.bed_friction_axial * sliding * stiffness, along, n);
+}
+
 /// Normal penalty on the pipe's underside and lateral friction against the lay route: elastic stick up to mu times the
 /// normal force (statics: the pipe was laid on its route and has been pushed off it once).
 template <bool kTangent>
 inline void add_seabed(PointLoad<kTangent>& load, const LineEnvironment& env, const Vec& r, const Lanes& radius,
-                       const Lanes& submerged_weight) {
+                       const Lanes& submerged_weight, const Lanes& drag) {
   if (!near_bed(env, r, radius)) {
     return;
   }
@@ -180,20 +211,17 @@ inline void add_seabed(PointLoad<kTangent>& load, const LineEnvironment& env, co
   add_in_place(load, -stiffness, n, bed.gradient);
   if (env.bed_shape != nullptr) {
     add_in_place(load, normal, bed.turn);
+  }
+  if (env.dragged) {
+    add_dragging_friction(load, env, r, bed, normal, stiffness, drag);
+  } else if (env.bed_shape != nullptr) {
     if (env.bed_friction_axial > 0.0) {
       add_downhill_friction(load, env, r, bed, touching, normal, stiffness, submerged_weight);
     }
   } else if (env.bed_friction_axial > 0.0 && env.route_pieces > 0) {
     add_downhill_friction_in_bend(load, env, r, n, touching, normal, stiffness, submerged_weight);
-  } else if (env.bed_friction_axial > 0.0 &&
-             env.bed_along[2] != 0.0) {  // axial friction keeps the laid pipe from sliding downhill
-    const Vec along = along_route(env, r);
-    const double uphill = env.bed_along[2] > 0.0 ? 1.0 : -1.0;
-    const Lanes pull = submerged_weight * (uphill * env.bed_along[2]);
-    const Lanes limit = env.bed_friction_axial * normal;
-    const Lanes sliding = pull > limit ? all(1.0) : Lanes{};
-    load.f = load.f + (uphill * (sliding * limit + (touching - sliding * touching) * pull)) * along;
-    add_in_place(load, -uphill * env.bed_friction_axial * sliding * stiffness, along, n);
+  } else if (env.bed_friction_axial > 0.0 && env.bed_along[2] != 0.0) {
+    add_downhill_friction_on_plane(load, env, r, n, touching, normal, stiffness, submerged_weight);
   }
   if (env.bed_friction_lateral > 0.0) {
     const auto [across, off, curvature] = beside_route(env, r);
@@ -282,7 +310,7 @@ inline void add_drag(PointLoad<kTangent>& load, const LineEnvironment& env, cons
 }
 
 struct LoadConstants {
-  Lanes weight, buoyancy, radius, drag_normal, drag_axial;
+  Lanes weight, buoyancy, radius, drag_normal, drag_axial, drag_on_bed;
 };
 
 /// Adds a load at Gauss point i; external forces enter the residual with a minus sign. `tangent` is null unless
@@ -309,7 +337,7 @@ inline PointLoad<kTangent> resting_load(const LineEnvironment& env, const LoadCo
   const Wetting wet = wetting(r.z, c.radius);
   PointLoad<kTangent> load =
       load_of<kTangent>({Lanes{}, Lanes{}, c.buoyancy * wet.share - c.weight}, c.buoyancy * wet.slope);
-  add_seabed(load, env, r, c.radius, c.weight - c.buoyancy);
+  add_seabed(load, env, r, c.radius, c.weight - c.buoyancy, c.drag_on_bed);
   if (env.current_rows > 0) {
     add_drag(load, env, r.z, slope, wet, c.drag_normal, c.drag_axial);
   }

@@ -9,16 +9,23 @@
 namespace overbend {
 namespace {
 
-void add_seabed(PointLoad& load, const LineEnvironment& env, double radius, double submerged_weight, const Vec3& r) {
+/// Along the bed, positive away from the vessel: of a line that is dragged, else of one that would slide downhill.
+double axial_friction(const PointLoad& load, const LineEnvironment& env, double submerged_weight, double drag,
+                      double rise) {
+  if (env.dragged) return drag * load.seabed_normal;
+  const double limit = env.bed_friction_axial * load.seabed_normal;
+  return std::clamp(load.penetration > 0.0 ? submerged_weight * rise : 0.0, -limit, limit);
+}
+
+void add_seabed(PointLoad& load, const LineEnvironment& env, double radius, double submerged_weight, double drag,
+                const Vec3& r) {
   const GroundPoint ground = ground_at(env, r);
   load.penetration = std::max(0.0, radius - ground.clearance);
   load.seabed_normal = soil_force(env, load.penetration);
   const double limit = env.bed_friction_lateral * load.seabed_normal;
   const double stick = load.penetration > 0.0 ? -env.bed_stick * ground.off_route : 0.0;
-  const double axial_limit = env.bed_friction_axial * load.seabed_normal;
-  const double pull = load.penetration > 0.0 ? submerged_weight * ground.along_route.z() : 0.0;
   load.seabed = load.seabed_normal * ground.normal + std::clamp(stick, -limit, limit) * ground.across_route +
-                std::clamp(pull, -axial_limit, axial_limit) * ground.along_route;
+                axial_friction(load, env, submerged_weight, drag, ground.along_route.z()) * ground.along_route;
 }
 
 }  // namespace
@@ -56,7 +63,7 @@ PointLoad point_load(const LineElements& elements, const LineEnvironment& env, i
   const double wet = wetted_fraction(r.z(), elements.radius[e]).value;
   load.weight = -elements.weight[e] * Vec3::UnitZ();
   load.buoyancy = elements.buoyancy[e] * wet * Vec3::UnitZ();
-  add_seabed(load, env, elements.radius[e], elements.weight[e] - elements.buoyancy[e], r);
+  add_seabed(load, env, elements.radius[e], elements.weight[e] - elements.buoyancy[e], elements.drag_on_bed[e], r);
   const Vec3 u = current_velocity(env, r.z());
   const Vec3 t = a.normalized();
   const double along = u.dot(t);

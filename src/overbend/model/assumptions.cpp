@@ -194,6 +194,22 @@ void assume_supports(Assumptions& list, const Model& model) {
   assume_contact_stiffness(list, model);
 }
 
+void assume_axial_friction(Assumptions& list, const Model& model) {
+  const Description& d = model.description;
+  if (!is_dragged(d)) {
+    list.push_back({AssumptionRank::governing,
+                    "The laid pipe rests under the lay tension: axial friction is not mobilised in statics."});
+    return;
+  }
+  const double axial = model.seabed.friction_axial;
+  list.push_back(
+      {AssumptionRank::governing,
+       fmt::format("Friction of the seabed acts fully against the motion, {} the vessel, along pipe, head and "
+                   "cable: {:.3g} of the normal force under pipe and head, {:.3g} under the cable.",
+                   dragging_direction(d) > 0.0 ? "away from" : "towards", axial,
+                   d.operation.lay.cable->friction.value_or(axial))});
+}
+
 void assume_seabed(Assumptions& list, const Model& model) {
   list.push_back({AssumptionRank::setting,
                   fmt::format("The seabed stiffness is {} per {} of pipe and penetration, without adhesion.",
@@ -209,8 +225,7 @@ void assume_seabed(Assumptions& list, const Model& model) {
                          : "to a tenth of its stiffness at",
                      shown_digits(model.description.environment.seabed.bearing_force.value_or(0.0), "N/m", 4))});
   }
-  list.push_back({AssumptionRank::governing,
-                  "The laid pipe rests under the lay tension: axial friction is not mobilised in statics."});
+  assume_axial_friction(list, model);
   if (model.seabed.friction_lateral > 0.0) {
     list.push_back({AssumptionRank::other,
                     "Lateral friction resists displacement from the lay route: elastic with the stiffness of the "

@@ -15,6 +15,8 @@ namespace {
 std::optional<double> LayStageDescription::*progress_of(OperationType type) {
   switch (type) {
     case OperationType::start_up:
+    case OperationType::shore_pull:
+    case OperationType::hold_back:
       return &LayStageDescription::pipe_out;
     case OperationType::move:
       return &LayStageDescription::ahead;
@@ -110,7 +112,11 @@ Description at_stage(const Description& description, const LayStageDescription& 
   }
   if (stage.tank_weight || stage.tank_ballast) fill_tank(d.supports, lay.tank, stage);
   if (outside_range(d.tensioner)) held_by_brake(d.tensioner);
-  if (cable_at_far_end(d)) {
+  if (is_dragged(d)) {
+    d.pipe.length.reset();
+    d.statics.roller_friction = dragging_direction(d) > 0.0 ? RollerFriction::lay : RollerFriction::haul;
+  }
+  if (cable_at_far_end(d) && !is_dragged(d)) {
     d.pipe.length = *stage.pipe_out + lay.head->length + *lay.cable->length;
     d.pipe.anchor = lay.anchor->distance;
     if (lay.anchor->distance && !stage.tension) d.tensioner.tension.reset();
@@ -148,6 +154,15 @@ bool has_cable(const Description& description) {
 
 bool cable_at_far_end(const Description& description) {
   return description.stage && description.stage->pipe_out && description.operation.lay.cable;
+}
+
+bool is_dragged(const Description& description) {
+  return cable_at_far_end(description) && drags_along_bed(description.operation.type);
+}
+
+double dragging_direction(const Description& description) {
+  if (!is_dragged(description)) return 0.0;
+  return description.operation.type == OperationType::shore_pull ? 1.0 : -1.0;
 }
 
 }  // namespace overbend

@@ -33,5 +33,10 @@ double pipe_ends(const Description& description);
 double pipe_gone(const Description& description);
 /// Whether the far end of the line is pinned to an anchor by a cable at this stage.
 bool cable_at_far_end(const Description& description);
+/// Whether the line is dragged along the bed at this stage, by a winch that holds the cable at its far end: how long
+/// the cable is follows from the tension.
+bool is_dragged(const Description& description);
+/// Which way it is dragged: 1 away from the vessel, -1 towards it, 0 not at all.
+double dragging_direction(const Description& description);
 
 }  // namespace overbend

@@ -99,7 +99,7 @@ void resolve_sections(Model& model) {
   if (cable_at_far_end(d)) {
     from = pipe_ends(d);
     add_head(model, from);
-    add_cable(model, from, *d.operation.lay.cable->length);
+    add_cable(model, from, is_dragged(d) ? kInfinity : *d.operation.lay.cable->length);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "model/pipe/section.h"
 #include "model/vessel/supports.h"
 #include "results/check_results.h"
+#include "results/dragging_results.h"
 #include "results/ground_results.h"
 #include "results/hull_results.h"
 #include "results/lift_results.h"
@@ -263,7 +264,8 @@ struct StaticResults {
 
   std::optional<HeadResult> head;                 ///< Of a line with a cable.
   std::optional<CableResult> cable;               ///< Likewise.
-  std::optional<StartUpAnchorResult> far_anchor;  ///< Of a line whose cable is pinned to an anchor.
+  std::optional<StartUpAnchorResult> far_anchor;  ///< Of a line whose cable is pinned to an anchor or a winch there.
+  std::optional<DraggingResults> dragging;        ///< Of a line that is dragged along the bed.
 
   std::vector<StingerSectionResult> stinger;        ///< Of a stinger on hinges, from the barge astern.
   std::optional<BedResults> bed;                    ///< Of a line that touches the bed.

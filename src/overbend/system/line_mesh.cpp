@@ -41,6 +41,11 @@ double softest_over_supports(const Model& model) {
 void refine_laid_line(MeshPlan& plan, const Model& model, const MeshZones& zones, const MeshSizes& sizes) {
   const double soil = soil_length(model, section_of(model, zones.touchdown).EI);
   plan.fine.push_back({zones.touchdown, zones.total, std::max(sizes.touchdown, 0.25 * soil)});
+}
+
+/// Where contact with the bed begins and ends.
+void refine_edges(MeshPlan& plan, const Model& model, const MeshZones& zones, const MeshSizes& sizes) {
+  const double soil = soil_length(model, section_of(model, zones.touchdown).EI);
   for (const LineStretch& edge : zones.bed_edges) {
     plan.fine.push_back({edge.from - soil, edge.to + soil, sizes.touchdown});
   }
@@ -53,6 +58,7 @@ MeshPlan plan_mesh(const Model& model, const MeshZones& zones) {
   plan.fine = {{0.0, zones.last_support, sizes.overbend},
                {zones.touchdown - sizes.touchdown_before, zones.touchdown + sizes.touchdown_after, sizes.touchdown}};
   if (model.seabed.surface.shape() != nullptr) refine_laid_line(plan, model, zones, sizes);
+  refine_edges(plan, model, zones, sizes);
   if (zones.waterline > zones.last_support) {
     const double diameter = section_of(model, zones.waterline).outer_diameter;
     plan.fine.push_back({zones.waterline - diameter, zones.waterline + diameter, std::max(sizes.overbend, diameter)});

@@ -127,6 +127,7 @@ void visit_constants(Elements& e, const Visit& visit) {
   visit(e.displaced_mass, &ElementConstants::displaced_mass, 0.0);
   visit(e.added_normal, &ElementConstants::added_normal, 0.0);
   visit(e.added_axial, &ElementConstants::added_axial, 0.0);
+  visit(e.drag_on_bed, &ElementConstants::drag_on_bed, 0.0);
 }
 
 /// The one place that knows what a line has by node and by element.

@@ -56,7 +56,7 @@ TEST(description_words, every_enumerator_has_one_word_of_its_own) {
   expect_one_word_each(MooringModel::quasi_static);
   expect_one_word_each(WinchMode::tension);
   expect_one_word_each(FindMooring::lengths);
-  expect_one_word_each(OperationType::ballast);
+  expect_one_word_each(OperationType::hold_back);
   expect_one_word_each(StageTension::seek);
   expect_one_word_each(MoveShape::zero_vibration);
   expect_one_word_each(true);

@@ -70,6 +70,7 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
       {field.kind === 'choice' ? (
         <select id={id} value={written} onChange={(e) => void send(e.currentTarget.value)}>
           <option value="">{left ? `– (${left})` : '–'}</option>
+          {written && !(field.choices ?? []).includes(written) ? <option value={written}>{written}</option> : null}
           {(field.choices ?? []).map((c) => <option key={c} value={c}>{c.replaceAll('_', ' ')}</option>)}
         </select>
       ) : (

@@ -6,6 +6,7 @@
 #include "base/shown_unit.h"
 #include "dynamics/integrator/dynamic_clock.h"
 #include "dynamics/setup/start_leap.h"
+#include "model/lay_stage.h"
 #include "model/vessel/station.h"
 #include "statics/solver/static_obstacle.h"
 
@@ -111,6 +112,13 @@ std::optional<StaticFailure> file_obstacle(const VesselDescription& vessel, cons
   return vessel.motion == VesselMotion::history ? record_obstacle(vessel, run) : std::nullopt;
 }
 
+/// In time the friction of the bed has no direction of its own, and the winch that pulls is no machine of the run.
+std::optional<StaticFailure> dragging_obstacle(const Description& d) {
+  if (!is_dragged(d)) return std::nullopt;
+  return refused("operation.type", "a pipe dragged along the seabed by a winch cannot be run in time",
+                 "overbend static has its stages; in time friction would have to follow the motion of the winch");
+}
+
 /// A motion that cannot be followed over the whole run.
 std::optional<StaticFailure> motion_obstacle(const Model& model) {
   const Description& d = model.description;
@@ -150,6 +158,7 @@ std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
   const Description& d = model.description;
   if (d.has_pipe) {
     if (std::optional<StaticFailure> obstacle = static_obstacle(d)) return obstacle;
+    if (std::optional<StaticFailure> obstacle = dragging_obstacle(d)) return obstacle;
   }
   if (std::ranges::any_of(d.lines, is_linked)) {
     return refused("lines", "lines that hold each other cannot be run in time yet",

@@ -246,6 +246,8 @@ inline constexpr std::array kWords<OperationType> = {
     Word{OperationType::passage, "passage"},
     Word{OperationType::ballast, "ballast"},
     Word{OperationType::lift, "lift"},
+    Word{OperationType::shore_pull, "shore_pull"},
+    Word{OperationType::hold_back, "hold_back"},
 };
 
 template <>

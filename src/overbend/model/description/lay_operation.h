@@ -18,7 +18,8 @@ struct CableDescription {
   double axial_stiffness = 0.0;         ///< EA [N]
   std::optional<double> breaking_load;  ///< [N]
   double drag_normal = 1.2, drag_axial = 0.0, added_mass_normal = 1.0, added_mass_axial = 0.0;  ///< [-]
-  std::optional<double> length;  ///< Of start_up: unstressed, from the head to the anchor [m].
+  std::optional<double> length;    ///< Of start_up: unstressed, from the head to the anchor [m].
+  std::optional<double> friction;  ///< On the seabed, of shore_pull and hold_back; the seabed's axial where not given.
 };
 
 /// What closes the pipe and takes the cable. Its weight is spread over its length.
@@ -29,9 +30,11 @@ struct HeadDescription {
   std::optional<SectionDescription> section;  ///< Steel, coatings and hydrodynamics; the pipe's where not given.
 };
 
-/// Where the cable is held, frame S [m].
+/// Where the cable is held: on the vessel, in frame S, or at a distance [m].
 struct WinchPlace {
   double x = 0.0, z = 0.0;
+  double distance = 0.0;  ///< Of shore_pull and hold_back: horizontal, astern of the stern shoe.
+  double depth = 0.0;     ///< Of the fixed end of the cable there, below the water; negative above it.
 };
 
 /// Dead-man anchor or end of a bow-string, to which the cable of a start-up is pinned.
@@ -61,7 +64,7 @@ struct JoinDescription {
 struct LayStageDescription {
   std::string name;
   std::optional<double> cable_out;       ///< Unstressed length from winch to head [m].
-  std::optional<double> pipe_out;        ///< Of start_up: unstressed length from tensioner to head [m].
+  std::optional<double> pipe_out;        ///< Of start_up and pulls: unstressed length from tensioner to head [m].
   std::optional<double> passed;          ///< Of passage: length from the tensioner to the middle of the structure [m].
   std::optional<double> ahead;           ///< Of move: how far the barge has moved ahead [m].
   std::optional<double> tension;         ///< At the top [N].

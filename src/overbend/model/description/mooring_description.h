@@ -95,6 +95,8 @@ enum class OperationType {
   passage,
   ballast,
   lift,
+  shore_pull,  ///< The pipe is drawn away from the vessel along the bed by a winch at a distance.
+  hold_back,   ///< The vessel draws it back; the winch holds.
 };
 /// How a vessel that is pulled ahead moves: with ramps of its speed; smoothly; with ramps in two parts, half a period
 /// of its surge apart, that leave no surge behind.
@@ -135,6 +137,11 @@ struct OperationDescription {
 /// Whether an operation is one on the line itself: abandonment and what follows it in OperationType.
 inline bool is_lay_operation(OperationType type) {
   return type >= OperationType::abandonment;
+}
+
+/// Whether an operation drags the pipe along the bed between the vessel and a winch at a distance.
+inline bool drags_along_bed(OperationType type) {
+  return type == OperationType::shore_pull || type == OperationType::hold_back;
 }
 
 }  // namespace overbend

@@ -68,7 +68,7 @@ class Collector {
 
  private:
   void add(const FieldValue& value, const Field& row, const std::string& name) {
-    const bool quantity = row.kind == FieldKind::quantity;
+    const bool quantity = !row.unit.empty() && value.kind == FieldValue::Kind::number;
     if (!quantity && row.kind != FieldKind::number) return;
     inputs_.push_back(
         {value.path, name, row.text, quantity ? row.unit : "1", quantity ? row.show : "", value.number, place_});

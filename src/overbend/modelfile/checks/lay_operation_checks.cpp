@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "base/text.h"
 #include "base/units.h"
@@ -18,7 +19,7 @@ bool cable_from_winch(OperationType type) {
 /// The key of a stage that says how far the operation has gone.
 const char* progress_key(OperationType type) {
   if (type == OperationType::ballast) return "ballast";
-  if (type == start_up) return "pipe_out";
+  if (type == start_up || drags_along_bed(type)) return "pipe_out";
   if (type == move) return "ahead";
   return type == passage ? "passed" : "cable_out";
 }
@@ -43,7 +44,10 @@ void check_cable(Checker& check, const FieldValue& operation, OperationType type
   const FieldValue* cable = operation.find("cable");
   if (cable == nullptr) return;
   check_weights(check, *cable, "a cable");
-  const FieldValue* length = cable->find("length");
+  const FieldValue *length = cable->find("length"), *friction = cable->find("friction");
+  if (friction != nullptr && friction->given && !drags_along_bed(type)) {
+    check.error(*friction, "friction of the cable", "none: only in shore_pull and hold_back it is dragged");
+  }
   if (type == start_up && !cable->mentions("length")) {
     check.missing(*cable, "length", "a length with its unit", "from the head to the anchor");
   } else if (cable_from_winch(type) && length != nullptr) {
@@ -57,6 +61,46 @@ void check_anchor_depth(Checker& check, const FieldValue& operation) {
   if (depth != nullptr && bed && depth->number > *bed) {
     check.error(*depth, depth->shown, "at most the depth of the seabed, " + format_quantity(*bed, "m", "m"));
   }
+}
+
+/// The keys of the place of the winch that this type has, each of them.
+void check_winch(Checker& check, const FieldValue& operation, OperationType type) {
+  const FieldValue* winch = operation.find("winch");
+  if (winch == nullptr || !winch->given) return;
+  const bool away = drags_along_bed(type);
+  for (const auto& [key, far] : {std::pair{"x", false}, {"z", false}, {"distance", true}, {"depth", true}}) {
+    const FieldValue* value = winch->find(key);
+    if (far == away && !winch->mentions(key)) {
+      check.missing(*winch, key, "a length with its unit", std::string("operation.winch of ") + word_of(type));
+    } else if (far != away && value != nullptr && value->given) {
+      check.error(*value, std::string(key) + " of a winch " + (far ? "at a distance" : "on the vessel"),
+                  std::string(away ? "distance and depth" : "x and z") + " in " + word_of(type));
+    }
+  }
+  const FieldValue* depth = winch->find("depth");
+  const std::optional<double> bed = level_bed(check.root());
+  if (away && depth != nullptr && bed && depth->number > *bed) {
+    check.error(*depth, depth->shown, "at most the depth of the seabed, " + format_quantity(*bed, "m", "m"));
+  }
+}
+
+/// The pipe ends before the winch, and the cable of the winch reaches its head.
+void check_pipe_out(Checker& check, const FieldValue& operation, const FieldValue* out) {
+  const auto distance = operation.get_number("winch.distance"), head = operation.get_number("head.length");
+  if (out == nullptr || !out->given || !distance || !head) return;
+  const double way = *distance - check.root().get_number("tensioner.x").value_or(0.0);
+  const double left = way - out->number - *head;
+  if (left <= 0.0) {
+    check.error(*out, "pipe with its head as far as " + format_quantity(out->number + *head, "m", "m"),
+                "less than the distance from tensioner to winch, " + format_quantity(way, "m", "m"),
+                "the pipe has passed the winch");
+    return;
+  }
+  const FieldValue* cable = operation.find("cable.length");
+  if (cable == nullptr || !cable->given || cable->number >= left) return;
+  check.error(*cable, "a cable of " + cable->shown,
+              "at least the " + format_quantity(left, "m", "m") + " from the head to the winch",
+              "it does not reach the pipe at " + out->path + " of " + out->shown);
 }
 
 /// A stage or a list of tensions beside an anchor whose place decides the tension.
@@ -92,6 +136,7 @@ void check_stage(Checker& check, const FieldValue& operation, OperationType type
   check_tension_is_free(check, operation, tension);
   check_tension_is_free(check, operation, bottom);
   if (cable_from_winch(type)) check_breaking_load(check, operation, tension);
+  if (drags_along_bed(type)) check_pipe_out(check, operation, stage.find("pipe_out"));
   const bool given = stage.mentions("tension") || stage.mentions("bottom_tension") || tensioner_pulls(check.root());
   if (!given && operation.find("anchor.distance") == nullptr) {
     check.missing(stage, "tension", "a force with its unit", "or give tensioner.tension for all stages");
@@ -147,6 +192,9 @@ void check_program(Checker& check, const FieldValue& operation, OperationType ty
     if (end == nullptr || end->number > 0.0 || type == move || type == passage) continue;
     check.error(*end, end->shown, "above 0 m", std::string("it is ") + progress_key(type) + " of a stage");
   }
+  if (drags_along_bed(type)) {
+    for (const FieldValue* end : {from, to}) check_pipe_out(check, operation, end);
+  }
   const StageTension tension = program.get_word<StageTension>("tension").value_or(StageTension::hold);
   only_with(check, program, "bottom_tension", StageTension::bottom, tension);
   for (const char* key : {"tension_from", "tension_to", "limits"}) {
@@ -163,7 +211,10 @@ void check_program(Checker& check, const FieldValue& operation, OperationType ty
   if (least != nullptr && most != nullptr && least->number >= most->number) {
     check.error(*most, most->shown, "more than tension_from, " + least->shown);
   }
-  const bool held = tension == StageTension::hold && Checker::items(program, "tension").empty();
+  const FieldValue* force = program.find("tension");
+  const bool one_force = force != nullptr && force->kind == FieldValue::Kind::number;
+  if (one_force && cable_from_winch(type)) check_breaking_load(check, operation, force);
+  const bool held = tension == StageTension::hold && !one_force && Checker::items(program, "tension").empty();
   if (held && operation.find("anchor.distance") == nullptr && !tensioner_pulls(check.root())) {
     check.missing(program, "tension", "a list of forces, bottom or seek", "or give tensioner.tension for all stages");
   }
@@ -209,15 +260,17 @@ void check_lay_operation(Checker& check, const FieldValue& operation, OperationT
   if (!check.root().mentions("pipe")) {
     check.missing(check.root(), "pipe", "a group of keys", "the operation is one of the line");
   }
-  if (cable_from_winch(type) || type == start_up) {
+  if (cable_from_winch(type) || type == start_up || drags_along_bed(type)) {
     need_group(check, operation, "head", type);
     need_group(check, operation, "cable", type);
   }
   if (type == start_up) need_group(check, operation, "anchor", type);
+  if (drags_along_bed(type)) need_group(check, operation, "winch", type);
   if (type == OperationType::ballast) check_tank(check, operation);
   if (const FieldValue* head = operation.find("head")) check_weights(check, *head, "a head");
   check_cable(check, operation, type);
   check_anchor_depth(check, operation);
+  check_winch(check, operation, type);
   check_stages(check, operation, type);
   if (cable_from_winch(type)) check_line_length(check, operation);
 }

@@ -33,27 +33,35 @@ const std::vector<KeyOwners>& operation_keys() {
       {"handling_tension", {anchor_move}},
       {"working_tension", {anchor_move}},
       {"test_tension", {anchor_move}},
-      {"head", {abandonment, recovery, lay_down, start_up}},
-      {"cable", {abandonment, recovery, lay_down, start_up}},
-      {"winch", {abandonment, recovery, lay_down}},
+      {"head", {abandonment, recovery, lay_down, start_up, shore_pull, hold_back}},
+      {"cable", {abandonment, recovery, lay_down, start_up, shore_pull, hold_back}},
+      {"winch", {abandonment, recovery, lay_down, shore_pull, hold_back}},
       {"anchor", {start_up}},
-      {"stages", {moored, abandonment, recovery, lay_down, start_up, move, passage, ballast, lift}},
+      {"stages",
+       {moored, abandonment, recovery, lay_down, start_up, move, passage, ballast, shore_pull, hold_back, lift}},
       {"tank", {ballast}},
   };
   return kKeys;
 }
 
 const std::vector<KeyOwners>& stage_keys() {
-  static const std::vector<OperationType> kOnTheLine = {abandonment, recovery, lay_down, start_up,
-                                                        move,        passage,  ballast};
+  static const std::vector<OperationType> kOnTheLine = {abandonment, recovery, lay_down,   start_up, move,
+                                                        passage,     ballast,  shore_pull, hold_back};
   static const std::vector<KeyOwners> kKeys = {
-      {"parted", {moored}},     {"loads", {moored}},
-      {"pipe_out", {start_up}}, {"cable_out", {abandonment, recovery, lay_down}},
-      {"ahead", {move}},        {"passed", {passage}},
-      {"tension", kOnTheLine},  {"bottom_tension", kOnTheLine},
-      {"weight", {ballast}},    {"ballast", {ballast}},
-      {"lengths", {lift}},      {"tensions", {lift}},
-      {"vessel", {lift}},       {"join", {lift}},
+      {"parted", {moored}},
+      {"loads", {moored}},
+      {"pipe_out", {start_up, shore_pull, hold_back}},
+      {"cable_out", {abandonment, recovery, lay_down}},
+      {"ahead", {move}},
+      {"passed", {passage}},
+      {"tension", kOnTheLine},
+      {"bottom_tension", kOnTheLine},
+      {"weight", {ballast}},
+      {"ballast", {ballast}},
+      {"lengths", {lift}},
+      {"tensions", {lift}},
+      {"vessel", {lift}},
+      {"join", {lift}},
   };
   return kKeys;
 }

@@ -168,7 +168,7 @@ std::vector<Field> analysis() {
        .member = defaults(&StaticSettings::roller_friction),
        .kind = FieldKind::choice,
        .text = "Friction of the rollers on the pipe. none: they turn freely; lay: full friction against the pipe as it "
-               "is paid out; haul: as it is hauled in."},
+               "is paid out; haul: as it is hauled in. A shore_pull always has lay, a hold_back haul."},
       {.path = s + ".tolerance",
        .member = defaults(&StaticSettings::tolerance),
        .kind = FieldKind::number,

@@ -20,7 +20,7 @@ std::vector<Field> head() {
   word.choices = {"pipe"};
   std::vector<Field> rows = {
       otherwise(group_row(p, of_lay(enters(&Lay::head)), "What closes the pipe and takes the cable."),
-                "required by abandonment, recovery, lay_down and start_up"),
+                "required by abandonment, recovery, lay_down, start_up, shore_pull and hold_back"),
       required(quantity_row(p + ".length", fills(&Head::length), "Its length.", kLength,
                             {.low = 0.0, .high = 100.0, .low_open = true})),
       required(quantity_row(p + ".weight_in_air", fills(&Head::weight_in_air),
@@ -43,7 +43,7 @@ std::vector<Field> cable() {
   };
   return {
       otherwise(group_row(p, of_lay(enters(&Lay::cable)), "The cable, which has no bending stiffness."),
-                "required by abandonment, recovery, lay_down and start_up"),
+                "required by abandonment, recovery, lay_down, start_up, shore_pull and hold_back"),
       required(quantity_row(p + ".diameter", fills(&Cable::diameter),
                             "Diameter, with which it lies on rollers and seabed and drags.", {"m", "mm"},
                             {.low = 0.0, .high = 1.0, .low_open = true})),
@@ -61,8 +61,15 @@ std::vector<Field> cable() {
       coefficient("added_mass_normal", &Cable::added_mass_normal, "Normal added mass over the displaced water."),
       coefficient("added_mass_axial", &Cable::added_mass_axial, "Axial added mass over the displaced water."),
       otherwise(quantity_row(p + ".length", fills(&Cable::length),
-                             "Of start_up: unstressed length from the head to the anchor.", kLength, kPositive),
-                "required by start_up"),
+                             "Of start_up: unstressed length from the head to the anchor; of shore_pull and hold_back: "
+                             "how much the winch has.",
+                             kLength, kPositive),
+                "required by start_up; as much as is needed in others"),
+      otherwise(row_of_kind(FieldKind::number, p + ".friction", fills(&Cable::friction),
+                            "Of shore_pull and hold_back: friction of the cable on the seabed, over its normal force "
+                            "there.",
+                            {.low = 0.0, .high = 10.0}),
+                "environment.seabed.friction.axial"),
   };
 }
 
@@ -71,14 +78,26 @@ std::vector<Field> cable() {
 std::vector<Field> lay_operation() {
   std::vector<Field> rows = head();
   append(rows, cable());
+  Field winch = otherwise(group_row("operation.winch", of_lay(enters(&Lay::winch)),
+                                    "Where the cable is held: of abandonment, recovery and lay_down by x and z, of "
+                                    "shore_pull and hold_back by distance and depth."),
+                          "the tensioner's place; required by shore_pull and hold_back");
+  winch.least = 1;
   append(rows,
-         {otherwise(group_row("operation.winch", of_lay(enters(&Lay::winch)),
-                              "Of abandonment, recovery and lay_down: where the cable is held."),
-                    "the tensioner's place"),
-          required(quantity_row("operation.winch.x", fills(&WinchPlace::x),
-                                "Astern of the stern shoe, as the tensioner's.", kLength)),
-          required(quantity_row("operation.winch.z", fills(&WinchPlace::z), "Above the stern shoe, as the tensioner's.",
-                                kLength)),
+         {winch,
+          otherwise(quantity_row("operation.winch.x", fills(&WinchPlace::x),
+                                 "Astern of the stern shoe, as the tensioner's.", kLength),
+                    "required by abandonment, recovery and lay_down"),
+          otherwise(quantity_row("operation.winch.z", fills(&WinchPlace::z),
+                                 "Above the stern shoe, as the tensioner's.", kLength),
+                    "required by abandonment, recovery and lay_down"),
+          otherwise(quantity_row("operation.winch.distance", fills(&WinchPlace::distance),
+                                 "Horizontal distance of the cable's fixed end astern of the stern shoe.", kLength,
+                                 kPositive),
+                    "required by shore_pull and hold_back"),
+          otherwise(quantity_row("operation.winch.depth", fills(&WinchPlace::depth),
+                                 "Depth of that end below the water; negative ashore, above it.", kLength),
+                    "required by shore_pull and hold_back"),
           otherwise(group_row("operation.anchor", of_lay(enters(&Lay::anchor)),
                               "Of start_up: dead-man anchor or bow-string to which the cable is pinned."),
                     "required by start_up"),

@@ -58,21 +58,23 @@ std::vector<Field> anchor_move() {
 }  // namespace
 
 std::vector<Field> operation() {
-  Field type = required(
-      row_of_kind(FieldKind::choice, "operation.type", fills(&Operation::type),
-                  "moored: the vessel on its lines in several stages; pull_ahead: it moves ahead on its "
-                  "winches, or by dynamic positioning; anchor_move: an anchor is taken up and laid down elsewhere; "
-                  "anchor_plan: which "
-                  "anchor has to be moved before which joint; abandonment: the pipe goes down on a cable; "
-                  "recovery: it comes up again, the stages in reverse order; lay_down: the end of the line, "
-                  "as abandonment; start_up: the first pipe is pulled off the vessel by a cable to an anchor; "
-                  "move: the vessel goes ahead and the pipe with its segments leaves it; passage: what is built into "
-                  "the pipe goes down the line; ballast: a tank of the stinger is flooded or emptied; lift: lines are "
-                  "hauled and paid out, the vessel moves, ends of pipe are welded."));
+  Field type = required(row_of_kind(
+      FieldKind::choice, "operation.type", fills(&Operation::type),
+      "moored: the vessel on its lines in several stages; pull_ahead: it moves ahead on its "
+      "winches, or by dynamic positioning; anchor_move: an anchor is taken up and laid down elsewhere; "
+      "anchor_plan: which "
+      "anchor has to be moved before which joint; abandonment: the pipe goes down on a cable; "
+      "recovery: it comes up again, the stages in reverse order; lay_down: the end of the line, "
+      "as abandonment; start_up: the first pipe is pulled off the vessel by a cable to an anchor; "
+      "move: the vessel goes ahead and the pipe with its segments leaves it; passage: what is built into "
+      "the pipe goes down the line; ballast: a tank of the stinger is flooded or emptied; shore_pull: a winch at a "
+      "distance draws the pipe from the vessel along the seabed by a cable; hold_back: the vessel draws it "
+      "back, the winch holds; lift: lines are hauled and paid out, the vessel moves, ends of pipe are welded."));
   for (const OperationType operation :
        {OperationType::moored, OperationType::pull_ahead, OperationType::anchor_move, OperationType::anchor_plan,
         OperationType::abandonment, OperationType::recovery, OperationType::lay_down, OperationType::start_up,
-        OperationType::move, OperationType::passage, OperationType::ballast, OperationType::lift}) {
+        OperationType::move, OperationType::passage, OperationType::ballast, OperationType::shore_pull,
+        OperationType::hold_back, OperationType::lift}) {
     type.choices.emplace_back(word_of(operation));
   }
   std::vector<Field> rows = {

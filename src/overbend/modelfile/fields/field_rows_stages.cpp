@@ -129,8 +129,9 @@ std::vector<Field> listed() {
                            "Of abandonment, recovery and lay_down: unstressed length of the cable from winch to head.",
                            kLength, kPositive, "not used by other types"),
                 lay_number("pipe_out", &Lay::pipe_out,
-                           "Of start_up: unstressed length of the pipe from the tensioner to the head.", kLength,
-                           kPositive, "not used by other types"),
+                           "Of start_up, shore_pull and hold_back: unstressed length of the pipe from the tensioner to "
+                           "the head.",
+                           kLength, kPositive, "not used by other types"),
                 lay_number("passed", &Lay::passed,
                            "Of passage: unstressed length from the tensioner to the middle of the structure.", kLength,
                            kNotNegative, "not used by other types"),
@@ -177,6 +178,26 @@ void hold_values(StageProgram& program, const FieldValue& value) {
   program.values.push_back(value.number);
 }
 
+/// A word, or one force for all stages.
+Field program_tension(const std::string& path) {
+  const auto take = [](StageProgram& program, const FieldValue& value) {
+    if (value.kind == FieldValue::Kind::number) {
+      program.values = {value.number};
+    } else {
+      program.tension = *from_word<StageTension>(value.text);
+    }
+  };
+  Field row =
+      row_of_kind(FieldKind::choice, path, with_default(taken_by<StageProgram>(take), word_of(StageTension::hold)),
+                  "hold: tensioner.tension; bottom: such that bottom_tension is the horizontal tension at touchdown; "
+                  "seek: the least that keeps the limits; or the force at the winch or tensioner, or a list of forces.",
+                  kPositive);
+  row.unit = kForce.unit;
+  row.show = kForce.show;
+  for (const auto& word : kWords<StageTension>) row.choices.emplace_back(word.word);
+  return row;
+}
+
 std::vector<Field> generated() {
   using Program = StageProgram;
   const std::string p = "operation.stages";
@@ -200,9 +221,7 @@ std::vector<Field> generated() {
       required(quantity_row(p + ".to", fills(&Program::to), "The same of the last stage.", kLength, kNotNegative)),
       row_of_kind(FieldKind::integer, p + ".steps", defaults(&Program::steps),
                   "Number of steps between them; stages are one more.", {.low = 1.0, .high = 1000.0}),
-      row_of_kind(FieldKind::choice, p + ".tension", defaults(&Program::tension),
-                  "hold: tensioner.tension; bottom: such that bottom_tension is the horizontal tension at touchdown; "
-                  "seek: the least that keeps the limits; or a list of forces."),
+      program_tension(p + ".tension"),
       values,
       quantity_row(p + ".tension[]", taken_by<Program>(hold_values), "Effective tension at the winch or tensioner.",
                    kForce, kPositive),

@@ -21,7 +21,7 @@ Json schema_of(const FieldNode& node);
 void add_words(const Field& field, Json& schema) {
   std::string text = field.text;
   const std::string range = range_words(field, field.range);
-  if (field.kind == FieldKind::quantity) text += " [" + dimension_name(field.unit) + ", " + field.show + "]";
+  if (!field.unit.empty()) text += " [" + dimension_name(field.unit) + ", " + field.show + "]";
   if (!range.empty()) text += " Range: " + range + ".";
   if (!field.fallback_text.empty()) text += " If omitted: " + field.fallback_text + ".";
   schema["description"] = text;
@@ -64,7 +64,12 @@ Json scalar_schema(const Field& field) {
       if (!field.fallback.empty()) schema["default"] = std::stoll(field.fallback);
       break;
     case FieldKind::choice:
-      schema["enum"] = choices_json(field.choices);
+      if (field.unit.empty()) {
+        schema["enum"] = choices_json(field.choices);
+      } else {
+        schema["anyOf"] = {{{"enum", choices_json(field.choices)}},
+                           {{"type", "string"}, {"pattern", kQuantityPattern}, {"x-unit", field.show}}};
+      }
       if (!field.fallback.empty()) schema["default"] = field.fallback;
       break;
     case FieldKind::text:

@@ -39,7 +39,8 @@ std::string kind_cell(const Field& field) {
     case FieldKind::integer:
       return "whole number";
     case FieldKind::choice:
-      return "`" + join_words(field.choices, "or") + "`";
+      return "`" + join_words(field.choices, "or") + "`" +
+             (field.unit.empty() ? "" : " or " + dimension_name(field.unit) + " (" + field.show + ")");
     case FieldKind::map:
       return "group";
     case FieldKind::list:

@@ -10,7 +10,7 @@ namespace overbend {
 namespace {
 
 std::string bound_words(const Field& field, double value) {
-  if (field.kind == FieldKind::quantity) return format_quantity(value, field.unit, field.show);
+  if (!field.unit.empty()) return format_quantity(value, field.unit, field.show);
   return format_number(value);
 }
 
@@ -67,7 +67,8 @@ std::string kind_words(const Field& field) {
     case FieldKind::text:
       return "text";
     case FieldKind::choice:
-      return one_of(field.choices);
+      return one_of(field.choices) +
+             (field.unit.empty() ? "" : ", or " + dimension_words(field.unit) + " with its unit");
   }
   return {};
 }

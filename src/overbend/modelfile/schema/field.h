@@ -44,7 +44,7 @@ struct Field {
   FieldKind kind = FieldKind::map;
   bool file = false;      ///< A text that names a file, beside the model file where the path is not absolute.
   std::string text = {};  ///< One line for the user.
-  std::string unit = {};  ///< Of a quantity: the SI unit that names its dimension.
+  std::string unit = {};  ///< Of a quantity, or of a choice that may be one instead: the SI unit of its dimension.
   std::string show = {};  ///< Unit to show it in.
   bool required = false;
   std::string fallback = {};       ///< Value when left out, as it would be written: the member's own; empty = none.

@@ -133,6 +133,9 @@ ScalarReading read_text(const YamlNode& node, const Field& field) {
 
 ScalarReading read_choice(const YamlNode& node, const Field& field) {
   if (std::find(field.choices.begin(), field.choices.end(), node.text) == field.choices.end()) {
+    const std::string text(trim(node.text));
+    const bool number = !text.empty() && text.find_first_of("0123456789") != std::string::npos;
+    if (!field.unit.empty() && number) return read_quantity(node, field);
     const std::string near = nearest_word(node.text, field.choices);
     return refuse(shown(node), field, near.empty() ? "" : "did you mean '" + near + "'?");
   }

@@ -48,6 +48,7 @@ void add_cable(const CableDescription& cable, Listing& table) {
       .add("Cable, axial stiffness", cable.axial_stiffness, "N");
   if (cable.breaking_load) table.add("Cable, breaking load", *cable.breaking_load, "N");
   if (cable.length) table.add("Cable, length", *cable.length, "m");
+  if (cable.friction) table.add("Cable, friction on the seabed", *cable.friction, "1");
 }
 
 /// Head, cable, winch and anchor as the model gives them.
@@ -58,7 +59,12 @@ std::string gear_section(const std::optional<Description>& description) {
   Listing table("");
   if (lay.head) add_head(*lay.head, table);
   if (lay.cable) add_cable(*lay.cable, table);
-  if (lay.winch) table.add("Winch, x", lay.winch->x, "m").add("Winch, z", lay.winch->z, "m");
+  const bool away = drags_along_bed(description->operation.type);
+  if (lay.winch && away) {
+    table.add("Winch, distance astern", lay.winch->distance, "m").add("Winch, depth", lay.winch->depth, "m");
+  } else if (lay.winch) {
+    table.add("Winch, x", lay.winch->x, "m").add("Winch, z", lay.winch->z, "m");
+  }
   if (lay.anchor) table.add("Anchor, depth", lay.anchor->depth, "m");
   return html::section("gear", "Head and cable", table.str());
 }

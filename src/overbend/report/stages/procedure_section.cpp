@@ -82,8 +82,17 @@ std::string step_table(const OperationResults& results, const std::optional<Desc
   });
   add("Tension", {"not above", shown_name("N")}, [&](std::size_t i) {
     const std::optional<StaticResults>& lay = results.stages[i].lay;
-    return most && lay && lay->cable ? shown_number(*most, "N", 1) : std::string();
+    return most && lay && lay->cable && !lay->dragging ? shown_number(*most, "N", 1) : std::string();
   });
+  add("Winch", {"pull", shown_name("N")}, of_lay(results, [](const StaticResults& lay) {
+        return lay.dragging ? shown_number(lay.dragging->winch_tension, "N", 1) : "";
+      }));
+  add("Winch", {"not above", shown_name("N")}, of_lay(results, [most](const StaticResults& lay) {
+        return most && lay.dragging ? shown_number(*most, "N", 1) : "";
+      }));
+  add("Winch", {"cable out", shown_name("m")}, of_lay(results, [](const StaticResults& lay) {
+        return lay.dragging ? shown_number(lay.cable->length, "m", 1) : "";
+      }));
   add("", {"Barge ahead", shown_name("m")},
       [&](std::size_t i) { return results.stages[i].lay ? shown_number(results.stages[i].barge_ahead, "m", 1) : ""; });
   add("Head", {"depth", shown_name("m")}, with_head([](const HeadResult& head) { return -head.p_W.z(); }));

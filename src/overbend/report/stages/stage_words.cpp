@@ -13,6 +13,8 @@ std::optional<double> progress_of(const LayStageDescription& stage) {
 std::string progress_name(OperationType type) {
   switch (type) {
     case OperationType::start_up:
+    case OperationType::shore_pull:
+    case OperationType::hold_back:
       return "Pipe out";
     case OperationType::move:
       return "Barge ahead";
@@ -41,6 +43,10 @@ std::string operation_title(OperationType type) {
       return "Ballast of the stinger";
     case OperationType::lift:
       return "Lift";
+    case OperationType::shore_pull:
+      return "Pull by a winch at a distance";
+    case OperationType::hold_back:
+      return "Pull back against a winch at a distance";
     default:
       return "Abandonment";
   }

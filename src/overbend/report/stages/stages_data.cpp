@@ -85,6 +85,8 @@ std::vector<Curve> curves() {
   return {
       {"top", "Tension at the top", forces(), [](Stage, Lay lay) { return std::optional(lay.top_tension); }},
       {"bottom", "Tension at touchdown", forces(), [](Stage, Lay lay) { return std::optional(lay.bottom_tension); }},
+      {"winch", "Pull at the winch", forces(),
+       [](Stage, Lay lay) { return lay.dragging ? std::optional(lay.dragging->winch_tension) : std::nullopt; }},
       {"depth", "Depth of the head", distances(),
        [](Stage, Lay lay) { return lay.head ? std::optional(-lay.head->p_W.z()) : std::nullopt; }},
       {"cable", "Cable, of its breaking load", percent,

@@ -116,11 +116,21 @@ std::string head_table(const OperationResults& results) {
   add("Cable", {"inclination at the winch", shown_name("rad")}, [](const StaticResults& lay) {
     return lay.cable && !lay.far_anchor ? shown_number(lay.cable->winch_inclination, "rad", 2) : "";
   });
-  add("Anchor", {"astern", shown_name("m")},
+  add("Cable", {"out", shown_name("m")},
+      [](const StaticResults& lay) { return lay.dragging ? shown_number(lay.cable->length, "m", 2) : ""; });
+  add("Cable", {"leaves the bed at X", shown_name("m")}, [](const StaticResults& lay) {
+    return lay.dragging && lay.dragging->lift_off ? shown_number(lay.dragging->lift_off->x, "m", 1) : "";
+  });
+  add("Cable", {"at the winch", shown_name("N")},
+      [](const StaticResults& lay) { return lay.dragging ? shown_number(lay.dragging->winch_tension, "N", 1) : ""; });
+  add("Line", {"least tension", shown_name("N")},
+      [](const StaticResults& lay) { return lay.dragging ? shown_number(lay.smallest_tension.value, "N", 1) : ""; });
+  const char* const far = drags_along_bed(results.type) ? "Winch" : "Anchor";
+  add(far, {"astern", shown_name("m")},
       [](const StaticResults& lay) { return lay.far_anchor ? shown_number(lay.far_anchor->distance, "m", 2) : ""; });
-  add("Anchor", {"horizontal", shown_name("N")},
+  add(far, {"horizontal", shown_name("N")},
       [](const StaticResults& lay) { return lay.far_anchor ? shown_number(lay.far_anchor->horizontal, "N", 1) : ""; });
-  add("Anchor", {"uplift", shown_name("N")},
+  add(far, {"uplift", shown_name("N")},
       [](const StaticResults& lay) { return lay.far_anchor ? shown_number(lay.far_anchor->uplift, "N", 1) : ""; });
   return stage_rows_table("Head and cable, stage by stage", columns, rows, "dense summary",
                           [](std::size_t) { return ""; });

@@ -1,4 +1,5 @@
 #include "model/description/operation_words.h"
+#include "resultfiles/stages/dragging_json.h"
 #include "resultfiles/stages/operation_writer.h"
 #include "resultfiles/static/case_summary.h"
 #include "resultfiles/static/passage_json.h"
@@ -33,6 +34,7 @@ Json stage_json(const SummaryStyle& style, const StageResult& stage) {
     json["lay_warnings"] = messages(stage.lay->findings);
     json["lay_findings"] = findings_json(stage.lay->findings);
     json["checks"] = summary_checks(style, stage.lay->checks);
+    if (stage.lay->dragging) json.update(dragging_json(*stage.lay, json));
   }
   return json;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "resultfiles/tables/csv_fields.h"
+#include "results/fields/dragging_fields.h"
 #include "results/fields/lay_operation_fields.h"
 #include "results/sagbend.h"
 
@@ -140,6 +141,14 @@ void gather(const StageResult& stage, const StaticResults* like, ColumnGatherer&
   visit_or_absent(lay.cable, columns, [&](const CableResult& cable) { visit_cable(cable, columns); });
   visit_or_absent(lay.far_anchor, columns,
                   [&](const StartUpAnchorResult& anchor) { visit_far_anchor(anchor, columns); });
+  visit_or_absent(lay.dragging, columns, [&](const DraggingResults& dragging) {
+    columns(ResultField{"wire_out", "m"}.csv("wire out"), lay.cable ? lay.cable->length : 0.0);
+    visit_dragging(dragging, columns);
+    columns(ResultField{"least_tension", "N"}.csv("least tension along the line"), lay.smallest_tension.value);
+  });
+  const std::optional<LiftOffResult> no_lift_off;
+  visit_or_absent(lay.dragging ? lay.dragging->lift_off : no_lift_off, columns,
+                  [&](const LiftOffResult& lift_off) { visit_lift_off(lift_off, columns); });
   const std::string why = stage.failure ? stage.failure->what + ": " + stage.failure->why : "";
   columns(ResultField{"why"}.csv("why not"), why);
   columns(ResultField{"least_tension", "N"}.csv("least tension"),

@@ -4,6 +4,7 @@
 #include "resultfiles/moored/mooring_tables.h"
 #include "resultfiles/tables/finite_visitor.h"
 #include "results/fields/check_fields.h"
+#include "results/fields/dragging_fields.h"
 #include "results/fields/ground_fields.h"
 #include "results/fields/lay_operation_fields.h"
 #include "results/fields/static_tables.h"
@@ -106,6 +107,9 @@ void require_finite(const StaticResults& results) {
   if (results.cable) visit_cable(*results.cable, visit);
   visit.place = "far_anchor.";
   if (results.far_anchor) visit_far_anchor(*results.far_anchor, visit);
+  visit.place = "dragging.";
+  if (results.dragging) visit_dragging(*results.dragging, visit);
+  if (results.dragging && results.dragging->lift_off) visit_lift_off(*results.dragging->lift_off, visit);
   if (results.bed) check_bed(*results.bed);
   require_finite(results.checks, "checks.");
   if (results.moorings) require_finite(*results.moorings);

@@ -7,6 +7,7 @@
 #include "resultfiles/moored/mooring_hdf5.h"
 #include "resultfiles/static/results_writer.h"
 #include "resultfiles/static/sensitivity_files.h"
+#include "results/fields/dragging_fields.h"
 #include "results/fields/ground_fields.h"
 #include "results/fields/lay_operation_fields.h"
 #include "results/fields/route_fields.h"
@@ -111,6 +112,25 @@ void write_cable_parts(DatasetSink& file, const std::string& group, const Static
   }
 }
 
+/// A line dragged along the bed.
+void write_dragging(DatasetSink& file, const std::string& group, const DraggingResults& dragging) {
+  write_part(
+      file, group, "Line dragged along the seabed", [](const auto& part, auto& visit) { visit_dragging(part, visit); },
+      dragging);
+  if (dragging.lift_off) {
+    write_part(
+        file, group + "/lift_off", "Where the line leaves the seabed before the winch",
+        [](const auto& part, auto& visit) { visit_lift_off(part, visit); }, *dragging.lift_off);
+  }
+  TableWriter contacts;
+  for (const BedContactResult& contact : dragging.contacts) {
+    contacts(index_field("Number of the contact, from 0: from touchdown astern"), contacts.rows());
+    visit_bed_contact(contact, contacts);
+    contacts.end_row();
+  }
+  contacts.write(file, group + "/contacts", "Stretches in contact with the seabed");
+}
+
 /// The laid pipe on an uneven bed.
 void write_bed(DatasetSink& file, const std::string& group, const BedResults& bed) {
   write_part(
@@ -202,6 +222,7 @@ void write_lay_group(DatasetSink& file, const std::string& group, const StaticRe
   write_stinger(file, group, results);
   write_checks(file, group + "/checks", results.checks);
   write_cable_parts(file, group, results);
+  if (results.dragging) write_dragging(file, group + "/dragging", *results.dragging);
   if (results.bed) write_bed(file, group + "/bed", *results.bed);
   write_route_parts(file, group, results);
 }

@@ -6,6 +6,7 @@
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/mooring_hdf5.h"
 #include "resultfiles/static/sensitivity_files.h"
+#include "results/fields/dragging_fields.h"
 #include "results/fields/ground_fields.h"
 #include "results/fields/lay_operation_fields.h"
 #include "results/fields/route_fields.h"
@@ -99,6 +100,22 @@ void read_cable_parts(const Hdf5Reader& file, const std::string& group, StaticRe
   if (file.has(visit.group)) visit_far_anchor(results.far_anchor.emplace(), visit);
 }
 
+void read_dragging(const Hdf5Reader& file, const std::string& group, StaticResults& results) {
+  if (!file.has(group)) return;
+  DraggingResults& dragging = results.dragging.emplace();
+  ValueReader visit{file, group};
+  visit_dragging(dragging, visit);
+  visit.group = group + "/lift_off";
+  if (file.has(visit.group)) visit_lift_off(dragging.lift_off.emplace(), visit);
+  if (!file.has(group + "/contacts")) return;
+  TableReader contacts(file, group + "/contacts");
+  dragging.contacts.resize(contacts.rows("index"));
+  for (std::size_t i = 0; i < dragging.contacts.size(); ++i) {
+    contacts.start_row(i);
+    visit_bed_contact(dragging.contacts[i], contacts);
+  }
+}
+
 void read_bed(const Hdf5Reader& file, const std::string& group, StaticResults& results) {
   if (!file.has(group)) return;
   BedResults& bed = results.bed.emplace();
@@ -161,6 +178,7 @@ StaticResults read_lay_group(const Hdf5Reader& file, const std::string& group) {
   read_tables(file, group, results);
   read_supports(file, group, results);
   read_cable_parts(file, group, results);
+  read_dragging(file, group + "/dragging", results);
   read_bed(file, group + "/bed", results);
   read_stinger(file, group, results);
   read_route_parts(file, group, results);

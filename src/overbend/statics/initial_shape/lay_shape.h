@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,18 +29,26 @@ struct LayPlane {
 
 LayPlane lay_plane(const Model& model, const VesselPose& pose);
 
+/// What is wrong with a line, where, and why.
+struct ShapeFault {
+  std::string what, where, why;
+};
+
 /// A curve in the lay plane: dense points by unstressed length from the tensioner.
 struct LayShape {
-  std::vector<double> length;    ///< From the tensioner [m].
-  std::vector<double> distance;  ///< Horizontal, astern of the tensioner [m].
-  std::vector<double> z;         ///< [m]
-  std::vector<double> dip;       ///< Inclination, positive dipping astern [rad].
-  double last_support = 0.0;     ///< Length to the end of the supports used [m].
-  double touchdown = 0.0;        ///< Length to touchdown [m].
-  double waterline = -1.0;       ///< Length to the water surface [m].
-  double total = 0.0;            ///< Length to the anchor [m].
-  double bottom_tension = 0.0;   ///< Horizontal tension of the guess [N].
-  std::string problem;           ///< Why there is no such curve; empty when there is.
+  std::vector<double> length;       ///< From the tensioner [m].
+  std::vector<double> distance;     ///< Horizontal, astern of the tensioner [m].
+  std::vector<double> z;            ///< [m]
+  std::vector<double> dip;          ///< Inclination, positive dipping astern [rad].
+  double last_support = 0.0;        ///< Length to the end of the supports used [m].
+  double touchdown = 0.0;           ///< Length to touchdown [m].
+  double waterline = -1.0;          ///< Length to the water surface [m].
+  double total = 0.0;               ///< Length to the anchor [m].
+  double bottom_tension = 0.0;      ///< Horizontal tension of the guess [N].
+  std::optional<double> far_force;  ///< Horizontal tension at the far end, where it is another one [N].
+  std::vector<double> edges;        ///< Of a dragged line: lengths where contact with the bed begins or ends [m].
+  std::optional<ShapeFault> fault;  ///< Of a dragged line: why there is none, or why there may be no equilibrium.
+  std::string problem;              ///< Why there is no such curve; empty when there is.
 };
 
 /// Work of the pipe's weight per length between the bed and the tensioner: what the tension loses on the way down. A

@@ -8,6 +8,7 @@
 
 #include "base/shown_unit.h"
 #include "model/lay_stage.h"
+#include "statics/initial_shape/dragged_shape.h"
 #include "statics/initial_shape/shape_curve.h"
 
 namespace overbend {
@@ -78,7 +79,7 @@ class FreeSpan {
  public:
   /// `landing`: how far astern of the tensioner the span is taken to land; there the bed has its depth.
   FreeSpan(const Model& model, const LayPlane& plane, double total, double landing)
-      : model_(model), total_(total), pinned_(cable_at_far_end(model.description)) {
+      : model_(model), total_(total), pinned_(cable_at_far_end(model.description) && !is_dragged(model.description)) {
     bed_ = pinned_ ? pinned_height(model) : plane.bed(landing) - plane.radius;
     step_ = std::max(0.05, (plane.tensioner_W.z() - bed_) / kSteps);
   }
@@ -172,13 +173,15 @@ double laid_length(const Model& model, const LayShape& shape) {
 }  // namespace
 
 double pinned_height(const Model& model) {
-  return -model.description.operation.lay.anchor->depth;
+  const LayOperationDescription& lay = model.description.operation.lay;
+  return is_dragged(model.description) ? -lay.winch->depth : -lay.anchor->depth;
 }
 
 double least_stage_tension(const Model& model, const LayPlane& plane) {
   const std::vector<GuidePoint> points = in_order(support_points(model, plane, model.mean_pose));
   const LayShape shape = over_supports(points, points.size() - 1);
-  const double floor = cable_at_far_end(model.description) ? pinned_height(model) : plane.bed(0.0);
+  const bool pinned = cable_at_far_end(model.description) && !is_dragged(model.description);
+  const double floor = pinned ? pinned_height(model) : plane.bed(0.0);
   const double top = shape.z.back(), step = (top - floor) / 4000.0;
   double weight = lost(model, shape);
   for (int i = 0; i < 4000 && step > 0.0; ++i) {
@@ -189,6 +192,11 @@ double least_stage_tension(const Model& model, const LayPlane& plane) {
 }
 
 namespace {
+
+/// Whether the free span ends on the bed, and not where a cable is pinned.
+bool lands(const Model& model) {
+  return !cable_at_far_end(model.description) || is_dragged(model.description);
+}
 
 LayShape shape_that_lands(const Model& model, const LayPlane& plane, double tension, double landing) {
   LayShape shape;
@@ -217,11 +225,14 @@ LayShape shape_that_lands(const Model& model, const LayPlane& plane, double tens
 
 }  // namespace
 
-LayShape stage_shape(const Model& model, const LayPlane& plane, double tension) {
+namespace {
+
+/// The line down to where it lands, for the landing found.
+LayShape landed_shape(const Model& model, const LayPlane& plane, double tension) {
   constexpr double kNear = 1e-2;  // [m]
   LandingSearch landing(plane);
   LayShape shape = shape_that_lands(model, plane, tension, landing.at());
-  for (int pass = 1; pass < kLandings && shape.problem.empty() && !cable_at_far_end(model.description); ++pass) {
+  for (int pass = 1; pass < kLandings && shape.problem.empty() && lands(model); ++pass) {
     // A bed that rises is met from the depth under the tensioner: a guess that hangs a little lower than the line does.
     const double there = shape.distance.back();
     if (plane.bed(there) > plane.bed(landing.at()) || !landing.follow(there, kNear)) break;
@@ -229,7 +240,15 @@ LayShape stage_shape(const Model& model, const LayPlane& plane, double tension) 
     if (!next.problem.empty()) break;  // it hangs plumb over a bed so deep: Newton's method has the last word
     shape = std::move(next);
   }
+  return shape;
+}
+
+}  // namespace
+
+LayShape stage_shape(const Model& model, const LayPlane& plane, double tension) {
+  LayShape shape = landed_shape(model, plane, tension);
   if (!shape.problem.empty()) return shape;
+  if (is_dragged(model.description)) return dragged_shape(model, plane, tension, std::move(shape));
   const double tail =
       model.description.pipe.length
           ? *model.description.pipe.length - shape.touchdown

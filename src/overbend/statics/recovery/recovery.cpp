@@ -17,6 +17,7 @@
 #include "statics/recovery/current_effect.h"
 #include "statics/recovery/recovery_bed.h"
 #include "statics/recovery/recovery_cable.h"
+#include "statics/recovery/recovery_dragging.h"
 #include "statics/recovery/recovery_route.h"
 #include "statics/recovery/recovery_stinger.h"
 #include "statics/recovery/recovery_structures.h"
@@ -376,6 +377,7 @@ StaticResults recover_state(const Model& model, const StaticSolution& solution) 
   sum_forces(results, system, state);
   recover_stinger(results, system, solution);
   recover_cable(results, system, state);
+  recover_dragging(results, system, state);
   if (touchdown) recover_route(results, system, state);
   results.solve = solution.report;
   results.solve.force_residual = results.force_residual;
@@ -387,6 +389,7 @@ StaticResults recover_in_current(const Model& model, const StaticSolution& solut
   warn_of_roll(results);
   warn_statics(model, results);
   warn_of_uneven_bed(model, results);
+  warn_of_dragging(results);
   warn_of_missed_target(results, model);
   note_sensitive_tension(results, model, solution);
   return results;

@@ -9,6 +9,7 @@
 #include "mechanics/rod_element.h"
 #include "model/site/bed_shape.h"
 #include "statics/equations/bed_contacts.h"
+#include "statics/recovery/sample_peak.h"
 
 namespace overbend {
 namespace {
@@ -19,25 +20,6 @@ double astern_of(const StaticSystem& system, const LineState& state, const Eleme
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * place.element));
   const Vec3 r = centreline(q, place.xi, system.mesh().length[static_cast<std::size_t>(place.element)]).r;
   return (r - point_from_ramp(system.model(), system.model().mean_pose, Vec3::Zero())).dot(system.plane().astern_W);
-}
-
-struct Sample {
-  double x = 0.0, value = 0.0;
-};
-
-/// The largest of samples in the order of x, between them where it lies inside: of the parabola through it and its
-/// neighbours. All zero without samples.
-Sample peak(const std::vector<Sample>& samples) {
-  if (samples.empty()) return {};
-  const auto largest = std::ranges::max_element(samples, {}, &Sample::value);
-  if (largest == samples.begin() || largest + 1 == samples.end()) return *largest;
-  const Sample &a = *(largest - 1), &b = *largest, &c = *(largest + 1);
-  const double before = (b.value - a.value) / (b.x - a.x), behind = (c.value - b.value) / (c.x - b.x);
-  const double bend = (behind - before) / (c.x - a.x);
-  if (!(bend < 0.0)) return b;
-  const double slope = before + bend * (b.x - a.x);  // of the parabola at b
-  const double x = std::clamp(b.x - 0.5 * slope / bend, std::min(a.x, c.x), std::max(a.x, c.x));
-  return {x, b.value + (slope + bend * (x - b.x)) * (x - b.x)};
 }
 
 /// Calls `look(place)` along the line between two arc lengths, from the far end up.
@@ -151,7 +133,10 @@ void warn_of_uneven_bed(const Model& model, StaticResults& results) {
   constexpr double kWorthSaying = 0.05;  // gaps of less hang on how the soil is modelled [m]
   if (!results.bed) return;
   std::vector<FreeSpanResult> spans = results.bed->spans;
-  std::erase_if(spans, [](const FreeSpanResult& span) { return span.largest_gap < kWorthSaying; });
+  const double pipe_end = results.far_anchor && results.head ? results.head->s : 0.0;  // beyond lies cable
+  std::erase_if(spans, [&](const FreeSpanResult& span) {
+    return span.largest_gap < kWorthSaying || span.s_from <= pipe_end + 1e-6;
+  });
   if (!spans.empty()) {
     const FreeSpanResult longest =
         *std::ranges::max_element(spans, {}, [](const FreeSpanResult& span) { return span.length; });

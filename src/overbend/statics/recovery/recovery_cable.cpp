@@ -57,7 +57,7 @@ void recover_cable(StaticResults& results, const StaticSystem& system, const Lin
   const double joint = results.total_length - (above ? cable.to : cable.from);
   results.head = head_result(results, system, state, joint);
   CableResult& told = results.cable.emplace();
-  told.length = cable.to - cable.from;
+  told.length = above ? cable.to - cable.from : joint;
   for (const Station& at : results.stations) {
     if (at.kind == SectionKind::cable) told.largest_tension = std::max(told.largest_tension, at.effective_tension);
   }

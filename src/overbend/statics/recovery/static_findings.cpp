@@ -175,7 +175,7 @@ void warn_of_structures_beyond(Findings& list, const Model& model, const StaticR
 /// A bed on whose slope the laid pipe would slide along itself: statics hold its far end.
 void warn_of_slope(Findings& list, const Model& model, const StaticResults& results) {
   const BedSurface& bed = model.seabed.surface;
-  if (bed.shape() != nullptr || results.stations.size() < 2) return;
+  if (bed.shape() != nullptr || is_dragged(model.description) || results.stations.size() < 2) return;
   const Vec3 from = results.stations.back().p_W, to = results.stations.front().p_W;
   const Vec3 along = Vec3(to.x() - from.x(), to.y() - from.y(), 0.0).normalized();
   const double fall = -bed.slope(to.x(), to.y(), along), friction = model.seabed.friction_axial;
@@ -197,6 +197,7 @@ void warn_of_land(Findings& list, const Model& model, const StaticResults& resul
     return station.s <= results.touchdown.s && bed.height(station.p_W.x(), station.p_W.y()) > 0.0;
   };
   const auto landmost = std::find_if(results.stations.rbegin(), results.stations.rend(), dry);
+  if (is_dragged(model.description)) return;  // it is drawn ashore
   if (results.touchdown.s <= 0.0 || landmost == results.stations.rend()) return;
   const bool whole = bed.height(results.touchdown.p_W.x(), results.touchdown.p_W.y()) > 0.0;
   list.push_back(Finding{

@@ -99,7 +99,9 @@ StartingPoint stage_start(const Model& model, const LayPlane& plane, StartingPoi
   }
   start.shape = stage_shape(model, plane, tension);
   if (!start.shape.problem.empty()) {
-    start.failure = StaticFailure{"the tension is too low to carry the line", "at the top", start.shape.problem};
+    start.failure =
+        shape_failure(start.shape)
+            .value_or(StaticFailure{"the tension is too low to carry the line", "at the top", start.shape.problem});
     return start;
   }
   start.tail = start.shape.total - start.shape.touchdown;
@@ -110,11 +112,18 @@ StartingPoint stage_start(const Model& model, const LayPlane& plane, StartingPoi
                  tension,
                  start.shape.bottom_tension,
                  {}};
+  for (const double edge : start.shape.edges) start.zones.bed_edges.push_back({edge, edge});
   start.failure = too_many_elements(model, start.zones);
   return start;
 }
 
 }  // namespace
+
+std::optional<StaticFailure> shape_failure(const LayShape& shape) {
+  if (!shape.fault) return std::nullopt;
+  return StaticFailure{shape.fault->what,           shape.fault->where, shape.fault->why, false, {},
+                       FailureKind::tension_too_low};
+}
 
 std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZones& zones) {
   const long count = count_elements(model, zones);
@@ -257,7 +266,7 @@ LineState sample_shape(const StaticSystem& system, const LayShape& shape) {
   const LayPlane& plane = system.plane();
   const LineMesh& mesh = system.mesh();
   LineState state;
-  state.far_force = shape.bottom_tension;
+  state.far_force = shape.far_force.value_or(shape.bottom_tension);
   state.q.resize(6 * mesh.s.size());
   for (std::size_t node = 0; node < mesh.s.size(); ++node) {
     const double u = mesh.total_length() - mesh.s[node];

@@ -35,6 +35,9 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane);
 /// bed and a straight route, it is left out and the zones are those of the solution's mesh.
 StartingPoint point_beside(const Model& model, const LayPlane& plane, const StaticSolution& solution);
 
+/// Why a guess is none, or why its line may have no equilibrium; nothing where it says nothing.
+std::optional<StaticFailure> shape_failure(const LayShape& shape);
+
 /// The guess at the nodes of the system's mesh.
 LineState sample_shape(const StaticSystem& system, const LayShape& shape);
 

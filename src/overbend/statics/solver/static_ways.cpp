@@ -194,7 +194,8 @@ bool harden(StaticCase& at) {
 
 /// A cable, which does not bend, turns sharply on each roller: from soft rollers to hard ones it takes steps.
 bool cable_on_rollers(const Model& model) {
-  return has_cable(model.description) && !model.supports.rollers.empty();
+  if (!has_cable(model.description) || model.supports.rollers.empty()) return false;
+  return !is_dragged(model.description) || pipe_ends(model.description) < model.supports.rows.back().from_top;
 }
 
 /// The current rises step by step on hard rollers, so that the pipe finds its side rollers gently. A step that fails is

@@ -7,10 +7,12 @@
 #include <cmath>
 
 #include "base/shown_unit.h"
+#include "model/lay_stage.h"
 #include "statics/equations/bed_contacts.h"
 #include "statics/equations/touchdown.h"
 #include "statics/solver/anchored_lay.h"
 #include "statics/solver/carried_start.h"
+#include "statics/solver/dragged_line.h"
 #include "statics/solver/static_obstacle.h"
 #include "statics/solver/static_start.h"
 #include "statics/solver/static_ways.h"
@@ -74,8 +76,9 @@ MeshZones zones_of(const StaticCase& at, const MeshZones& built, const std::opti
     zones.waterline = total - waterline->s;
   }
   zones.last_support = std::max(zones.last_support, support_end(at.system));
-  zones.bottom_tension = at.state.far_force;
-  if (at.model.seabed.surface.shape() != nullptr) {
+  const bool dragged = is_dragged(at.model.description);
+  if (!dragged) zones.bottom_tension = at.state.far_force;
+  if (dragged || at.model.seabed.surface.shape() != nullptr) {
     zones.bed_edges = contact_edges(at.system, bed_contacts(at.system, at.state));
   }
   return zones;
@@ -109,7 +112,8 @@ bool mesh_serves(const StaticCase& at, const MeshZones& built, const MeshZones& 
   const double moved = now.touchdown - built.touchdown;
   const bool fine_zone = moved < 0.6 * sizes.touchdown_after && -moved < 0.4 * sizes.touchdown_before;
   const bool supports = now.last_support < built.last_support + 2.0 * sizes.overbend;
-  const bool tail = at.model.description.pipe.length || now.total - now.touchdown > 1.5 * sizes.touchdown_after;
+  const bool tail = at.model.description.pipe.length || is_dragged(at.model.description) ||
+                    now.total - now.touchdown > 1.5 * sizes.touchdown_after;
   return fine_zone && supports && tail && edges_serve(at, built, now);
 }
 
@@ -244,6 +248,8 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   }
   const LayPlane plane = lay_plane(model, model.mean_pose);
   const bool same_line = start != nullptr && mesh_fits(model, *start);
+  // pipe where a cable lay would stand deep in the bed: a guess of its own is nearer than another stage
+  if (!same_line && is_dragged(model.description)) start = nullptr;
   StartingPoint from = same_line ? point_beside(model, plane, *start) : starting_point(model, plane);
   if (from.failure) {
     return fail(*from.failure);
@@ -270,7 +276,7 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   }
   const double aside = laid_beside(model);
   for (int pass = 0; solved && pass < kMeshPasses; ++pass) {
-    solved = meet_by_balance(at, from.target);
+    solved = meet_by_balance(at, from.target) && reach_winch(at, past);
     if (!solved) break;
     if (!settled_or_kept(at, aside) && start != nullptr && pass == 0) {
       return retry_or({"no line of steady laying found from the last solution", "", ""});
@@ -290,7 +296,9 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
     }
     from.zones = zones_of(at, from.zones, touchdown);
     from.zones.touchdown = touches ? now.touchdown : 1.2 * at.system.mesh().total_length();
-    from.zones.total = model.description.pipe.length.value_or(from.zones.touchdown + from.tail);
+    from.zones.total = is_dragged(model.description)
+                           ? at.system.mesh().total_length()
+                           : model.description.pipe.length.value_or(from.zones.touchdown + from.tail);
     if (auto failure = too_many_elements(model, from.zones)) {
       return fail(*failure);
     }
@@ -302,12 +310,16 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
     solved = solve_on_new_mesh(at, from.shape);
   }
   if (!solved) {
+    if (auto failure = shape_failure(from.shape)) return fail(*failure);
     return give_up(at, hanging_weight(model, plane, model.pipe_section(), plane.bed(0.0)));
   }
   if (auto failure = check_supports(model, at.system)) {
     return fail(*failure);
   }
   if (auto failure = missed(at, from.target)) {
+    return fail(*failure);
+  }
+  if (auto failure = check_dragged(at)) {
     return fail(*failure);
   }
   std::optional<StaticFailure> impossible = check_folds(at.system.mesh(), at.state.q);

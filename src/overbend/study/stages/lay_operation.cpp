@@ -37,12 +37,12 @@ double distance_to_laid(const StageResult& stage) {
   return r.lay_back - level_share(r) * (r.length_top_to_touchdown - come);
 }
 
-/// Against the first stage that stands. While ballast is changed the barge stays, and the tensioner pays out or takes
-/// in.
+/// Against the first stage that stands. While ballast is changed or the pipe is dragged along the bed the barge stays,
+/// and the tensioner pays out or takes in.
 void place_barge(std::vector<StageResult>& stages) {
   std::optional<double> first;
   for (StageResult& stage : stages) {
-    if (!stage.lay || stage.stage.tank_weight || stage.stage.tank_ballast) continue;
+    if (!stage.lay || stage.lay->dragging || stage.stage.tank_weight || stage.stage.tank_ballast) continue;
     if (!first) first = distance_to_laid(stage);
     stage.barge_ahead = distance_to_laid(stage) - *first;
   }

@@ -1,0 +1,27 @@
+/// The largest of samples along the line, between them where it lies inside.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace overbend {
+
+struct Sample {
+  double x = 0.0, value = 0.0;
+};
+
+/// Of samples in the order of x the largest, of the parabola through it and its neighbours. All zero without samples.
+inline Sample peak(const std::vector<Sample>& samples) {
+  if (samples.empty()) return {};
+  const auto largest = std::ranges::max_element(samples, {}, &Sample::value);
+  if (largest == samples.begin() || largest + 1 == samples.end()) return *largest;
+  const Sample &a = *(largest - 1), &b = *largest, &c = *(largest + 1);
+  const double before = (b.value - a.value) / (b.x - a.x), behind = (c.value - b.value) / (c.x - b.x);
+  const double bend = (behind - before) / (c.x - a.x);
+  if (!(bend < 0.0)) return b;
+  const double slope = before + bend * (b.x - a.x);  // of the parabola at b
+  const double x = std::clamp(b.x - 0.5 * slope / bend, std::min(a.x, c.x), std::max(a.x, c.x));
+  return {x, b.value + (slope + bend * (x - b.x)) * (x - b.x)};
+}
+
+}  // namespace overbend
