@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "model/description/operation_words.h"
 #include "model/lay_stage.h"
+#include "results/lift_brief.h"
 #include "results/sagbend.h"
 
 namespace overbend {
@@ -55,19 +56,10 @@ std::string worst_words(const CheckTable& checks) {
 
 /// Of a lift: where ends are, what pipe and davits bear.
 std::string lift_line(const StageResult& stage) {
-  const LiftResults& lift = *stage.lay->lift;
-  double moment = 0.0, stress = 0.0, tension = 0.0;
-  std::optional<double> height;
-  for (const LiftedLine& line : lift.lines) {
-    moment = std::max(moment, line.bending.value);
-    stress = std::max(stress, line.bending_stress);
-    if (!height && (line.first.free || line.second.free))
-      height = (line.first.free ? line.first : line.second).at.place.z();
-  }
-  for (const LiftedWire& wire : lift.davits) tension = std::max(tension, wire.tension_upper);
-  return fmt::format("  {:<26}", for_display(stage.stage.name, 25)) + cell(height, shown_unit("m"), 2, 11) +
-         cell(moment, shown_unit("N m"), 1, 12) + cell(stress, shown_unit("Pa"), 1, 10) +
-         cell(tension, shown_unit("N"), 1, 12) + "  " + worst_words(stage.lay->checks) + "\n";
+  const LiftBrief lift = in_brief(*stage.lay->lift);
+  return fmt::format("  {:<26}", for_display(stage.stage.name, 25)) + cell(lift.end_height, shown_unit("m"), 2, 11) +
+         cell(lift.moment, shown_unit("N m"), 1, 12) + cell(lift.stress, shown_unit("Pa"), 1, 10) +
+         cell(lift.davit_tension, shown_unit("N"), 1, 12) + "  " + worst_words(stage.lay->checks) + "\n";
 }
 
 std::string lift_heads() {

@@ -285,8 +285,8 @@ export interface Statics {
 }
 
 export interface StageValues {
-  top_tension: number;
-  bottom_tension: number;
+  top_tension: number | null;
+  bottom_tension: number | null;
   head_x: number | null;
   head_z: number | null;
   head_clearance: number | null;
@@ -298,7 +298,11 @@ export interface StageValues {
   stinger_tip_clearance: number | null;
   largest_reaction: number | null;
   largest_reaction_support: string;
-  lay_back: number;
+  lay_back: number | null;
+  end_height: number | null;
+  largest_moment: number | null;
+  largest_bending_stress: number | null;
+  davit_tension: number | null;
   utilisation: number | null;
   check: string;
 }

@@ -3,7 +3,7 @@
 /** Null where it has to be written in the YAML. `depth`: of the water, in m; `operation`: its type. */
 export function firstItem(path: string, depth: number, operation = ''): unknown {
   switch (path) {
-    case 'operation.stages': return ['start_up', 'shore_pull', 'hold_back'].includes(operation) ? { pipe_out: '100 m' } : operation === 'move' ? { ahead: '0 m' } : operation === '' || operation === 'moored' ? { name: 'stage 1' } : { cable_out: '50 m' };
+    case 'operation.stages': return ['start_up', 'shore_pull', 'hold_back'].includes(operation) ? { pipe_out: '100 m' } : operation === 'move' ? { ahead: '0 m' } : operation === '' || operation === 'moored' || operation === 'lift' ? { name: 'stage 1' } : { cable_out: '50 m' };
     case 'vessel.loads': return { name: 'load 1', at: { x: '0 m', y: '0 m', z: '0 m' }, force: { x: '0 kN', y: '0 kN', z: '0 kN' } };
     case 'moorings.objects': return { name: 'object 1', points: [{ x: '0 m', y: '100 m', z: `${-depth} m` }] };
     default: return null;

@@ -12,7 +12,7 @@ type Answer = Solved | { status: 'overtaken' } | { status: 'invalid'; diagnostic
 export interface StageEvent { done: number; of: number; name: string; stands: boolean }
 
 /** Types of operation on the line; others are of vessel and moorings. */
-const ofLine = ['abandonment', 'recovery', 'lay_down', 'start_up', 'move', 'passage', 'shore_pull', 'hold_back'];
+const ofLine = ['abandonment', 'recovery', 'lay_down', 'start_up', 'move', 'passage', 'ballast', 'shore_pull', 'hold_back', 'lift'];
 export const hasOperation = computed(() => ofLine.includes(String(byPath.value.get('operation.type')?.value ?? '')));
 
 export const operation = signal<Solved | null>(null);

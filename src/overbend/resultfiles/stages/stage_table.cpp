@@ -7,6 +7,7 @@
 #include "resultfiles/tables/csv_fields.h"
 #include "results/fields/dragging_fields.h"
 #include "results/fields/lay_operation_fields.h"
+#include "results/lift_brief.h"
 #include "results/sagbend.h"
 
 namespace overbend {
@@ -93,15 +94,9 @@ void visit_or_absent(const std::optional<Part>& part, ColumnGatherer& columns, V
 template <class Visit>
 void visit_lift_in_brief(const StaticResults& r, Visit& visit) {
   const LiftResults& lift = *r.lift;
-  const auto most = [](const std::vector<LiftedLine>& lines, auto value) {
-    double largest = 0.0;
-    for (const LiftedLine& line : lines) largest = std::max(largest, value(line));
-    return largest;
-  };
-  visit(ResultField{"moment", "N m"}.csv("largest moment"),
-        most(lift.lines, [](const LiftedLine& line) { return line.bending.value; }));
-  visit(ResultField{"stress", "Pa"}.csv("largest bending stress"),
-        most(lift.lines, [](const LiftedLine& line) { return line.bending_stress; }));
+  const LiftBrief brief = in_brief(lift);
+  visit(ResultField{"moment", "N m"}.csv("largest moment"), brief.moment);
+  visit(ResultField{"stress", "Pa"}.csv("largest bending stress"), brief.stress);
   for (const LiftedLine& line : lift.lines) {
     const LiftedEnd& end = line.first.free || !line.second.free ? line.first : line.second;
     visit(ResultField{"z", "m"}.csv("end of " + line.name + ", z"), end.at.place.z());

@@ -9,6 +9,7 @@
 #include "report/stages/hold_points.h"
 #include "report/stages/stage_words.h"
 #include "resultfiles/summary/json_fields.h"
+#include "results/lift_brief.h"
 #include "results/sagbend.h"
 
 namespace overbend {
@@ -35,8 +36,8 @@ auto page_stage_values(const Style& style, const StageResult& stage) {
   const bool has_head = lay.head.has_value(), has_boxes = !lay.supports.empty();
   JsonWriter<Style> json(style);
   const auto maybe = [&](bool there, double value) { return style.maybe(there, [&] { return style.number(value); }); };
-  json["top_tension"] = style.number(lay.top_tension);
-  json["bottom_tension"] = style.number(lay.bottom_tension);
+  json["top_tension"] = maybe(lay.has_pipe(), lay.top_tension);
+  json["bottom_tension"] = maybe(lay.has_pipe(), lay.bottom_tension);
   json["head_x"] = maybe(has_head, head.astern);
   json["head_z"] = maybe(has_head, head.p_W.z());
   json["head_clearance"] = maybe(has_head, head.clearance);
@@ -48,7 +49,12 @@ auto page_stage_values(const Style& style, const StageResult& stage) {
   json["stinger_tip_clearance"] = maybe(lay.stinger_tip_clearance.has_value(), lay.stinger_tip_clearance.value_or(0.0));
   json["largest_reaction"] = maybe(has_boxes, lay.largest_reaction);
   json["largest_reaction_support"] = style.text(lay.largest_reaction_support);
-  json["lay_back"] = style.number(lay.lay_back);
+  json["lay_back"] = maybe(lay.has_pipe(), lay.lay_back);
+  const LiftBrief lift = lay.lift ? in_brief(*lay.lift) : LiftBrief{};
+  json["end_height"] = maybe(lift.end_height.has_value(), lift.end_height.value_or(0.0));
+  json["largest_moment"] = maybe(lay.lift.has_value(), lift.moment);
+  json["largest_bending_stress"] = maybe(lay.lift.has_value(), lift.stress);
+  json["davit_tension"] = maybe(lay.lift.has_value(), lift.davit_tension);
   json["utilisation"] = maybe(use.has_value(), use ? use->utilisation : 0.0);
   json["check"] = style.text(use ? use->what : "");
   return style.named("StageValues", json.take());

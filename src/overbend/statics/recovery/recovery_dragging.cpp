@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSamePlace = 1e-6;  ///< [m]
 
-Vec3 axis_at(const StaticSystem& system, const LineState& state, const LinePlace& place) {
+Vec3 axis_at(const StaticSystem& system, const LineState& state, const ElementPlace& place) {
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * place.element));
   return centreline(q, place.xi, system.mesh().length[static_cast<std::size_t>(place.element)]).r;
 }
@@ -31,7 +31,7 @@ const Station& nearest_station(const StaticResults& results, double s, bool cabl
 std::vector<BedContactResult> contacts(const StaticResults& results, const StaticSystem& system,
                                        const LineState& state) {
   std::vector<BedContactResult> found;
-  const auto astern = [&](const LinePlace& place) {
+  const auto astern = [&](const ElementPlace& place) {
     return (axis_at(system, state, place) - results.stern_shoe_W).dot(system.plane().astern_W);
   };
   for (const BedContact& contact : bed_contacts(system, state)) {
@@ -49,7 +49,7 @@ std::optional<LiftOffResult> lift_off(const StaticResults& results, const Static
                                       const LineState& state) {
   const std::vector<BedContact> contacts = bed_contacts(system, state);
   if (contacts.empty() || contacts.back().to.s <= kSamePlace) return std::nullopt;
-  const LinePlace& place = contacts.back().to;
+  const ElementPlace& place = contacts.back().to;
   const Vec3 axis = axis_at(system, state, place);
   return LiftOffResult{(axis - results.stern_shoe_W).dot(system.plane().astern_W), axis.z(), place.s,
                        place.s < results.head->s - kSamePlace};
