@@ -21,7 +21,7 @@ LineElements rod_elements(const RodPipe& pipe, const std::vector<double>& length
   e.count = static_cast<int>(lengths.size());
   const std::size_t padded = (lengths.size() + kLanes - 1) / kLanes * kLanes;
   for (AlignedDoubles* array : {&e.EA, &e.EI, &e.damping, &e.weight, &e.buoyancy, &e.drag_normal, &e.drag_axial,
-                                &e.pressure_constant, &e.pressure_slope, &e.pressure_external}) {
+                                &e.pressure_constant, &e.pressure_slope, &e.pressure_external, &e.drag_on_bed}) {
     array->assign(padded, 0.0);
   }
   e.length.assign(padded, 1.0);

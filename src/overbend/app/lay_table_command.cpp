@@ -87,8 +87,9 @@ void print_table(const LayTable& table) {
 int run_lay_table(const LayTableArguments& arguments) {
   const std::optional<Description> description = load_model(arguments.model_file);
   if (!description) return kWrongInput;
-  if (const auto obstacle = pipe_obstacle(*description, "a lay table"))
+  if (const auto obstacle = pipe_obstacle(*description, "a lay table")) {
     return tell({RunEnding::wrong_input, *obstacle});
+  }
   LayTableDescription asked;
   try {
     asked = asked_table(*description, arguments);

@@ -75,8 +75,9 @@ void check_not_held(Checker& check, const FieldValue& line, const FieldValue& pl
 void check_link(Checker& check, const FieldValue& line, const FieldValue& end) {
   const FieldValue* name = end.find("line");
   const FieldValue* place = end.find("arc_length");
-  if (!end.mentions("arc_length"))
+  if (!end.mentions("arc_length")) {
     check.missing(end, "arc_length", "a length with its unit", "where on the other line");
+  }
   if (name == nullptr) return;
   const FieldValue* other = find_line(check.root(), name->text);
   if (other == nullptr) {

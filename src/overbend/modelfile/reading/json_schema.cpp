@@ -33,11 +33,12 @@ void add_bounds(const Field& field, Json& schema) {
   if (std::isfinite(range.high)) schema[range.high_open ? "exclusiveMaximum" : "maximum"] = range.high;
 }
 
-/// Words of a choice; one of digits also as the number that YAML takes an unquoted one for.
+/// Words of a choice; one of digits also as the number that YAML takes an unquoted one for, `true` as the truth value.
 Json choices_json(const std::vector<std::string>& choices) {
   Json words = choices;
   for (const std::string& word : choices) {
     if (const std::optional<double> number = parse_number(word)) words.push_back(static_cast<int>(*number));
+    if (word == "true") words.push_back(true);
   }
   return words;
 }

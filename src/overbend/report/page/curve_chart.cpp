@@ -34,6 +34,16 @@ double step_for(double span) {
   return 10.0 * power;
 }
 
+/// Multiples of the step within a span.
+std::vector<double> ticks(const Span& span) {
+  const double step = step_for(span.size());
+  const auto first = static_cast<long>(std::ceil(span.low / step)),
+             last = static_cast<long>(std::floor(span.high / step));
+  std::vector<double> all;
+  for (long i = first; i <= last; ++i) all.push_back(static_cast<double>(i) * step);
+  return all;
+}
+
 class Frame {
  public:
   explicit Frame(const CurveChart& chart) {
@@ -56,19 +66,17 @@ class Frame {
 
   std::string axes(const CurveChart& chart) const {
     std::string out;
-    for (double tick = std::ceil(x_.low / step_for(x_.size())) * step_for(x_.size()); tick <= x_.high;
-         tick += step_for(x_.size())) {
+    for (const double tick : ticks(x_)) {
       out += fmt::format(
           "<path d=\"M{0:.1f} {1} V{2}\" class=\"grid\"/><text x=\"{0:.1f}\" y=\"{3}\" "
           "text-anchor=\"middle\">{4:.6g}</text>\n",
-          x(tick), kTop, kHeight - kBottom, kHeight - kBottom + 16.0, rounded(tick));
+          x(tick), kTop, kHeight - kBottom, kHeight - kBottom + 16.0, tick);
     }
-    for (double tick = std::ceil(y_.low / step_for(y_.size())) * step_for(y_.size()); tick <= y_.high;
-         tick += step_for(y_.size())) {
+    for (const double tick : ticks(y_)) {
       out += fmt::format(
           "<path d=\"M{0} {1:.1f} H{2}\" class=\"grid\"/><text x=\"{3}\" y=\"{4:.1f}\" "
           "text-anchor=\"end\">{5:.6g}</text>\n",
-          kLeft, y(tick), kWidth - kRight, kLeft - 6.0, y(tick) + 4.0, rounded(tick));
+          kLeft, y(tick), kWidth - kRight, kLeft - 6.0, y(tick) + 4.0, tick);
     }
     return out +
            fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
@@ -86,7 +94,6 @@ class Frame {
   }
 
  private:
-  static double rounded(double tick) { return std::abs(tick) < 1e-12 ? 0.0 : tick; }
   Span x_, y_;
 };
 

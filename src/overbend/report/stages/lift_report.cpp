@@ -39,7 +39,7 @@ std::string vessel_words(const LayStageDescription& stage) {
 }
 
 /// What is done at each stage, and why one cannot be.
-std::string procedure_table(const OperationResults& results) {
+std::string procedure_table(const OperationResults& results, const std::optional<Description>& description) {
   html::Table table("What is done",
                     {{"Stage", "", true},
                      {"Lengths", "", true},
@@ -50,10 +50,12 @@ std::string procedure_table(const OperationResults& results) {
                     "dense");
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
     const StageResult& stage = results.stages[i];
-    const std::string weld = stage.stage.join ? stage.stage.join->first + " to " + stage.stage.join->second : "";
+    const bool told = description && i < description->operation.lay.stages.size();
+    const LayStageDescription& asked = told ? description->operation.lay.stages[i] : stage.stage;
+    const std::string weld = asked.join ? asked.join->first + " to " + asked.join->second : "";
     const std::string state = stage.failure ? stage.failure->what + ": " + stage.failure->why : "equilibrium found";
-    table.row({stage_title(results, i), values_of(stage.stage.lengths, "m"), values_of(stage.stage.tensions, "N"),
-               vessel_words(stage.stage), weld, state},
+    table.row({stage_title(results, i), values_of(asked.lengths, "m"), values_of(asked.tensions, "N"),
+               vessel_words(asked), weld, state},
               stage.failure ? "over" : "");
   }
   return table.str();
@@ -236,8 +238,8 @@ std::string figures(const OperationResults& results, int& number) {
 
 }  // namespace
 
-std::string lift_sections(const OperationResults& results, int& figure) {
-  return html::section("procedure", "Procedure", procedure_table(results)) +
+std::string lift_sections(const OperationResults& results, const std::optional<Description>& description, int& figure) {
+  return html::section("procedure", "Procedure", procedure_table(results, description)) +
          html::section("stages", "Stages", figures(results, figure) + line_table(results)) +
          html::section("davits", "Davits and other lines on lines", davit_table(results) + weld_table(results));
 }

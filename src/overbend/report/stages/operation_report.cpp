@@ -109,7 +109,7 @@ std::string operation_report_html(const OperationResults& results, const std::st
   int figure = 0;
   const bool lift = results.type == OperationType::lift;
   const std::string stages =
-      lift ? lift_sections(results, figure)
+      lift ? lift_sections(results, description, figure)
            : procedure_section(results, description) + stages_section(results, figure) + passage_part(results);
   const std::string inputs = lay != nullptr ? inputs_section(*lay, description, nullptr) : "";
   const std::string rest = stages + stage_checks_section(results) + gear_section(description) + inputs +

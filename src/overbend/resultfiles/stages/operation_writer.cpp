@@ -70,8 +70,9 @@ void write_operation_hdf5(const OperationResults& results, const Description& de
   write_operation_groups(file, results);
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
     const StageResult& stage = results.stages[i];
-    if (stage.lay && !stage.lay->lift)
+    if (stage.lay && !stage.lay->lift) {
       link_objects(file, *stage.lay, stage_group(i), "/stages/" + dataset_path(stage.stage.name));
+    }
   }
   file.close();
 }

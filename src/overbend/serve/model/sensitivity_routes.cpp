@@ -66,8 +66,9 @@ Json sensitivities_of(const ModelText& model, const std::vector<YamlChange>& cha
   if (!reading.description) {
     return {{"status", "invalid"}, {"diagnostics", diagnostics_json(reading, text)}};
   }
-  if (const auto obstacle = pipe_obstacle(*reading.description, "sensitivities"))
+  if (const auto obstacle = pipe_obstacle(*reading.description, "sensitivities")) {
     return failed("no sensitivities", "", *obstacle);
+  }
   Model lay = build_model(*reading.description);
   const ModelEquilibrium outcome = solve_lay(lay);
   if (outcome.failure) return failed(outcome.failure->what, outcome.failure->where, outcome.failure->why);

@@ -21,8 +21,9 @@ std::size_t index_of(const Description& description, const std::string& name) {
 /// What a stage asks for, from where the lines are: what it does not name stays.
 LiftPosition asked(const Description& description, const LayStageDescription& stage, LiftPosition position) {
   for (const LineValue& length : stage.lengths) position.lengths[index_of(description, length.line)] = length.value;
-  for (const LineValue& tension : stage.tensions)
+  for (const LineValue& tension : stage.tensions) {
     position.tensions[index_of(description, tension.line)] = tension.value;
+  }
   if (stage.vessel) position.vessel = *stage.vessel;
   if (stage.join) position.joins.push_back(*stage.join);
   return position;
