@@ -338,6 +338,11 @@ std::vector<LineResult> recover_linked_lines(const Model& model, const LinkedLin
     LineResult& line = results.back();
     line.residual = lines.residual();
     line.iterations = lines.iterations();
+    const FreeLineDescription& description = model.description.lines[i];
+    for (const auto& [end, result] :
+         {std::pair{&description.first, &line.first}, {&description.second, &line.second}}) {
+      if (end->kind == LineEndKind::free) result->tension = result->force.setZero().norm();
+    }
     for (const LineSegmentDescription& segment : model.description.lines[i].segments) {
       if (index >= 0 || !segment.type.breaking_load) continue;
       line.utilisation = std::max(line.utilisation.value_or(0.0), line.largest_tension / *segment.type.breaking_load);
