@@ -131,7 +131,7 @@ constexpr std::array kKinds = {
                 "A davit's wire leans by more than 15 deg from the vertical.",
                 "Let the vessel follow, or move the davit; a davit is rated for an upright wire."},
     FindingKind{davit_slack, "davit-slack", kCaution, "A davit's wire is slack, or nearly: it will snatch in waves.",
-                "Haul it in or pay out the davits beside it."},
+                "Haul it in, or pay out the davits next to it."},
     FindingKind{yield_at_davit, "yield-at-davit", kSerious,
                 "The pipe's bending stress at a davit exceeds its yield stress.",
                 "Lower the end, pay out that davit, or take another davit."},

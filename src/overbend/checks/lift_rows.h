@@ -6,7 +6,8 @@
 
 namespace overbend {
 
-/// Equivalent stress of pipe that other lines hold.
-std::vector<CheckRow> lift_rows(const CheckSettings& settings, const LiftResults& lift);
+/// Equivalent stress of pipe that other lines hold: von Mises of bending, effective tension and the hoop stress of
+/// water and contents.
+std::vector<CheckRow> lift_rows(const Description& description, const LiftResults& lift);
 
 }  // namespace overbend

@@ -95,7 +95,7 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
   const auto pipe_rows = static_cast<std::ptrdiff_t>(table.rows.size());
   append(table.rows, equipment_rows(model, statics, dynamics));
   if (statics.moorings) append(table.rows, mooring_rows(model.description, *statics.moorings, dynamics));
-  if (statics.lift) append(table.rows, lift_rows(settings, *statics.lift));
+  if (statics.lift) append(table.rows, lift_rows(model.description, *statics.lift));
   append(table.rows, line_rows(model.description, statics.lines, dynamics != nullptr ? &dynamics->lines : nullptr));
   if (dynamics != nullptr && dynamics->duration < kThreeHours) {
     for (auto row = table.rows.begin(); row != table.rows.end(); ++row) {

@@ -52,6 +52,11 @@ TEST(lift_keys, refuse_a_line_on_itself_and_lines_in_a_ring) {
                    "the line itself");
 }
 
+TEST(lift_keys, refuse_a_line_on_a_straight_wire) {
+  expect_complaint(lift_with("{line: pipe B, arc_length: 6 m}", "{line: davit 1, arc_length: 6 m}"), "line",
+                   "a straight wire without weight");
+}
+
 TEST(lift_keys, refuse_two_free_ends_without_a_start) {
   std::string text = lift_with("- bed: {x: -300 m, y: 16 m}\n        direction: {x: -1}", "- free: true");
   expect_complaint(text, "start", "both its ends are free");

@@ -133,6 +133,67 @@ TEST(lift, with_friction_keeps_what_it_was_pulled_by) {
   EXPECT_LT(std::abs(rubbing.lines[0].second.horizontal_force), 0.9 * std::abs(free_of_friction));
 }
 
+/// Of the check of stress, the first of a lift.
+const CheckRow& stress_row(const OperationResults& results) {
+  return results.stages.back().lay->checks.rows.front();
+}
+
+// Von Mises in closed form: the hoop stress of thin-walled pipe by Barlow's formula, of the fibre that is worse off.
+TEST(lift, judges_the_stress_with_that_of_pressure) {
+  Description d = read_case("DL8-one");
+  const double empty = stress_row(solve(d)).demand;
+  SectionDescription& pipe = *d.lines[0].segments[0].section;
+  pipe.internal_pressure = 10e6;
+  const OperationResults results = solve(d);
+  const CheckRow& row = stress_row(results);
+  EXPECT_GT(row.demand, 1.1 * empty);
+  const LiftedLine& line = results.stages.back().lay->lift->lines[0];
+  const auto node = std::ranges::find(line.nodes, row.s, [](const LiftedNode& one) { return one.at.arc_length; });
+  const double wall = pipe.steel.wall_thickness, outside = pipe.steel.outside_diameter, bore = outside - 2.0 * wall;
+  const double depth = std::max(-node->at.place.z(), 0.0);
+  const double hoop = (10e6 * bore - d.environment.water_weight_density * depth * outside) / (2.0 * wall);
+  const double area = 0.25 * 3.14159265358979 * (outside * outside - bore * bore);
+  double worst = 0.0;
+  for (const double bending : {node->stress, -node->stress}) {
+    const double along = node->tension / area + bending;
+    worst = std::max(worst, std::sqrt(along * along - along * hoop + hoop * hoop));
+  }
+  EXPECT_NEAR(row.demand, worst, 1e-6 * worst);
+}
+
+// A stretch with a thicker coating touches the bed where its own underside does.
+TEST(lift, finds_the_bed_under_pipe_of_two_diameters) {
+  Description d = read_case("DL8-one");
+  LineSegmentDescription thick = d.lines[0].segments[0];
+  const double length = *thick.length;
+  thick.section->coatings.push_back({"concrete", 0.05, 24e3, {}});
+  thick.length = 0.5 * length;
+  d.lines[0].segments[0].length = 0.5 * length;
+  d.lines[0].segments.push_back(thick);
+  d.operation.lay.stages.resize(1);
+  const LiftedLine line = last(solve(d)).lines[0];
+  double lies = 0.0;
+  for (const BedStretch& stretch : line.on_bed) lies += stretch.to - stretch.from;
+  EXPECT_GT(lies, 0.4 * length);
+  EXPECT_NEAR(line.on_bed.back().to, length, 1e-9);
+  EXPECT_NEAR(line.suspended_length + lies, length, 1e-9);
+}
+
+// What it does not name is the line as drawn, though the stage before could not be.
+TEST(lift, begins_with_the_lines_as_drawn) {
+  Description d = read_case("DL12-three");
+  d.operation.lay.stages.resize(1);
+  d.operation.lay.stages[0].lengths = {{"davit 2", 1e-9}};
+  d.operation.lay.stages[0].tensions = {{"davit 1", 1e13}};
+  d.operation.lay.stages.emplace_back().name = "as drawn";
+  const OperationResults results = solve(d);
+  ASSERT_TRUE(results.stages[0].failure);
+  for (const LiftedWire& wire : last(results).davits) {
+    const auto line = std::ranges::find(d.lines, wire.name, &FreeLineDescription::name);
+    EXPECT_NEAR(wire.length, *line->segments[0].length, 1e-9);
+  }
+}
+
 TEST(lift, tells_a_stage_that_cannot_be_and_goes_on) {
   Description d = read_case("DL8-one");
   LayStageDescription impossible;

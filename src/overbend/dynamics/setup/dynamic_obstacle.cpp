@@ -66,7 +66,7 @@ std::optional<StaticFailure> coupled_obstacle(const Description& d) {
   return std::nullopt;
 }
 
-/// A told motion that is there in full at once, away from where statics leave the vessel or the ends of lines.
+/// A prescribed motion that is there in full at once, away from where statics leave the vessel or the ends of lines.
 std::optional<StaticFailure> leap_obstacle(const Model& model) {
   const auto refuse = [](const char* what, const std::string& why) {
     return refused("analysis.dynamic.build_up", what, "without build-up " + why);

@@ -59,6 +59,13 @@ std::optional<double> length_of(const FieldValue& line) {
   return segments.empty() ? std::nullopt : std::optional(sum);
 }
 
+/// Whether a line is of one type that weighs nothing.
+bool is_wire(const FieldValue& root, const FieldValue& line) {
+  const FieldValue* type = line.find("type");
+  const FieldValue* numbers = type == nullptr ? nullptr : root.find("moorings.types." + type->text);
+  return numbers != nullptr && numbers->get_number("weight_in_air") == 0.0;
+}
+
 /// At an end that something holds there is nothing to hang on.
 void check_not_held(Checker& check, const FieldValue& line, const FieldValue& place, std::optional<double> length) {
   constexpr double kSameNode = 0.02;  // [m]
@@ -90,6 +97,10 @@ void check_link(Checker& check, const FieldValue& line, const FieldValue& end) {
   }
   if (hangs_on(check.root(), *other, line)) {
     check.error(*name, name->shown + ", which is attached to this line in turn", "a line that is not");
+  }
+  if (is_wire(check.root(), *other)) {
+    check.error(*name, name->shown + ", a straight wire without weight", "a line with weight",
+                "nothing can be attached to it between its ends");
   }
   const auto length = length_of(*other);
   if (place != nullptr) check_not_held(check, *other, *place, length);

@@ -57,24 +57,30 @@ struct Solved {
   }
 };
 
-/// Share of an element at which a function of the place changes its sign.
-double crossing(const Solved& line, std::size_t e, const std::function<double(const Vec3&)>& value) {
+/// Of a place on an element, whose number comes first.
+using PlaceValue = std::function<double(std::size_t, const Vec3&)>;
+
+/// Share of an element at which a value changes its sign.
+double crossing(const Solved& line, std::size_t e, const PlaceValue& value) {
   double low = 0.0, high = 1.0;
-  const bool rises = value(line.at(e, 0.0).r) < 0.0;
+  const bool rises = value(e, line.at(e, 0.0).r) < 0.0;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
-    ((value(line.at(e, middle).r) < 0.0) == rises ? low : high) = middle;
+    ((value(e, line.at(e, middle).r) < 0.0) == rises ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
 
-/// Arc lengths at which a function of the place changes its sign.
-std::vector<double> crossings(const Solved& line, const std::function<double(const Vec3&)>& value) {
+/// Arc lengths at which a value changes its sign, within an element or where it jumps between two.
+std::vector<double> crossings(const Solved& line, const PlaceValue& value) {
   std::vector<double> found;
   const std::vector<double>& s = line.line().mesh.s;
+  bool below = value(0, line.place(0)) < 0.0;
   for (std::size_t e = 0; e + 1 < s.size(); ++e) {
-    if ((value(line.place(e)) < 0.0) == (value(line.place(e + 1)) < 0.0)) continue;
-    found.push_back(s[e] + crossing(line, e, value) * line.line().mesh.length[e]);
+    const bool first = value(e, line.place(e)) < 0.0, second = value(e, line.place(e + 1)) < 0.0;
+    if (first != below) found.push_back(s[e]);
+    if (second != first) found.push_back(s[e] + crossing(line, e, value) * line.line().mesh.length[e]);
+    below = second;
   }
   return found;
 }
@@ -156,10 +162,12 @@ LiftedEnd end_of(const Solved& line, const LineEndDescription& end, LineEnd whic
 
 void find_bed(const Solved& line, LiftedLine& out) {
   const LineEnvironment& around = line.line().environment;
-  const auto above = [&](const Vec3& r) { return bed_clearance(around, r) - line.line().elements.radius[0]; };
+  const auto above = [&](std::size_t e, const Vec3& r) {
+    return bed_clearance(around, r) - line.line().elements.radius[e];
+  };
   std::vector<double> ends = crossings(line, above);
   const double length = line.line().mesh.total_length();
-  if (above(line.place(0)) < 0.0) ends.insert(ends.begin(), 0.0);
+  if (above(0, line.place(0)) < 0.0) ends.insert(ends.begin(), 0.0);
   if (ends.size() % 2 == 1) ends.push_back(length);
   double lies = 0.0;
   for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
@@ -202,7 +210,7 @@ LiftedLine recover_line(const Model& model, const LinkedLines& lines, std::size_
   const MomentPlace stress = largest(line, out.nodes, kinks, [](const LiftedNode& node) { return node.stress; });
   out.bending_stress = stress.value;
   find_bed(line, out);
-  out.water_crossings = crossings(line, [](const Vec3& r) { return r.z(); });
+  out.water_crossings = crossings(line, [](std::size_t, const Vec3& r) { return r.z(); });
   return out;
 }
 

@@ -69,16 +69,17 @@ OperationResults solve_lift(const Description& description,
   const Model model = build_model(description);
   LinkedLines lines(model);
   const std::vector<LayStageDescription>& stages = description.operation.lay.stages;
-  LiftPosition last = drawn_position(description);  // of which the first stage may name nothing
+  LiftPosition last = drawn_position(description);  // of which the stages up to the first that stands may name nothing
   for (std::size_t i = 0; i < stages.size(); ++i) {
     StageResult& stage = results.stages.emplace_back();
     stage.stage = stages[i];
     if (stage.stage.name.empty()) stage.stage.name = "stage " + std::to_string(i + 1);
-    const LiftPosition target = asked(description, stages[i], i == 0 ? last : lines.position());
+    const LiftPosition target = asked(description, stages[i], last);
     if (const std::optional<StaticFailure> failure = lines.bring_to(target)) {
       stage.failure = failure_of(*failure);
     } else {
       stage.lay = results_of(model, lines, next_join(description, i + 1));
+      last = lines.position();
     }
     if (told && !told(stage, stages.size())) break;
   }
