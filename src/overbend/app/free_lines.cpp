@@ -29,7 +29,28 @@ std::string line_text(const LineResult& line, const LineDynamics* in_time) {
   return text + "\n";
 }
 
+/// How far from the tensioner, and the moment of the pipe there.
+std::string place_text(const AttachedPlace& at) {
+  return fmt::format("{} from the tensioner, z = {}, bending moment {}", shown(at.from_top, "m", 1),
+                     shown(at.p_W.z(), "m", 1), shown(at.moment, "N m", 1));
+}
+
 }  // namespace
+
+std::string attachment_lines(const StaticResults& results) {
+  std::string text;
+  for (const PipePointResult& point : results.points) {
+    text += fmt::format("  {:<28}{:>12} {} upwards, {}\n", point.name, shown_number(point.force.z(), "N", 2),
+                        shown_name("N"), place_text(point.at));
+  }
+  for (const PipeWireResult& wire : results.wires) {
+    const std::string used =
+        wire.utilisation ? fmt::format(", {:.3f} of the breaking load", *wire.utilisation) : std::string();
+    text += fmt::format("  {:<28}{:>12} {}{}, {}\n", wire.name, shown_number(wire.tension_upper, "N", 2),
+                        shown_name("N"), used, place_text(wire.at));
+  }
+  return text;
+}
 
 std::string lines_at_rest(const std::vector<LineResult>& lines) {
   std::string text;

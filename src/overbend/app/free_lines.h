@@ -7,6 +7,9 @@
 
 namespace overbend {
 
+/// What is fixed to the pipe that is laid; empty where nothing is.
+std::string attachment_lines(const StaticResults& results);
+
 /// At rest; empty without lines.
 std::string lines_at_rest(const std::vector<LineResult>& lines);
 

@@ -79,7 +79,7 @@ void print_pipe(const StaticResults& r) {
     line("largest roller reaction", fmt::format("{:>12} {} at {}", shown_number(r.largest_reaction, "N", 2),
                                                 shown_name("N"), r.largest_reaction_support));
   }
-  std::cout << stinger_lines(r);
+  std::cout << attachment_lines(r) << stinger_lines(r);
   std::cout << friction_lines(r);
 }
 

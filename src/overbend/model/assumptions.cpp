@@ -11,6 +11,7 @@
 #include "model/material_words.h"
 #include "model/model.h"
 #include "model/mooring_assumptions.h"
+#include "model/pipe_attachments.h"
 #include "model/stinger_assumptions.h"
 
 namespace overbend {
@@ -153,6 +154,22 @@ void assume_structures(Assumptions& list, const Model& model) {
   }
 }
 
+void assume_attachments(Assumptions& list, const Description& description) {
+  const std::vector<PipeAttachment> attached = pipe_attachments(description);
+  if (std::ranges::any_of(attached, [](const PipeAttachment& one) { return one.point != nullptr; })) {
+    list.push_back(
+        {AssumptionRank::other,
+         "Clumps and buoys act at points of the pipe's axis; the share of a buoy that is out of the water is "
+         "that of a sphere about the axis. They pass rollers as if they were not there."});
+  }
+  if (std::ranges::any_of(attached, [](const PipeAttachment& one) { return one.line != nullptr; })) {
+    list.push_back(
+        {AssumptionRank::other,
+         "Lines on the pipe are straight wires hinged to its axis, which bear no compression; water does not "
+         "drag on them, and they do not touch the bed."});
+  }
+}
+
 void assume_gap_springs(Assumptions& list, const Model& model) {
   list.push_back({AssumptionRank::governing,
                   "Each roller box is one gap spring at its middle instead of its rollers, as in traditional models: "
@@ -286,6 +303,7 @@ Assumptions assumptions(const Model& model) {
   assume_tensioner(list, model);
   assume_stage(list, model.description);
   assume_structures(list, model);
+  assume_attachments(list, model.description);
   assume_supports(list, model);
   assume_stinger(list, model);
   assume_seabed(list, model);

@@ -43,12 +43,6 @@ double shortest_period(const Description& d) {
   return period;
 }
 
-double length(const FreeLineDescription& line) {
-  double sum = 0.0;
-  for (const LineSegmentDescription& segment : line.segments) sum += segment.length.value_or(0.0);
-  return sum;
-}
-
 }  // namespace
 
 StepScales step_scales(const Model& model) {
@@ -56,7 +50,8 @@ StepScales step_scales(const Model& model) {
   StepScales scales;
   scales.time = std::min(scales.time, shortest_period(d) / kStepsInPeriod);
   for (const FreeLineDescription& line : d.lines) {
-    if (length(line) > 0.0) scales.length = std::min(scales.length, length(line) / kErrorsInLength);
+    if (unstressed_length(line) > 0.0)
+      scales.length = std::min(scales.length, unstressed_length(line) / kErrorsInLength);
   }
   if (d.has_pipe && !model.sections.empty()) {
     const Section& pipe = model.pipe_section();

@@ -33,8 +33,8 @@ namespace {
 std::string static_tables(const StaticResults& results) {
   return (results.has_pipe() ? html::section("summary", "Static summary", static_summary_table(results)) : "") +
          (results.supports.empty() ? "" : html::section("supports", "Supports", support_table(results))) +
-         stinger_section(results) + structures_section(results) + laid_pipe_section(results) +
-         friction_section(results);
+         stinger_section(results) + structures_section(results) + attachments_section(results) +
+         laid_pipe_section(results) + friction_section(results);
 }
 
 /// Moorings, stages of an operation and hull at rest. Figures are numbered in the order of the page, so that parts with

@@ -12,6 +12,7 @@
 #include "base/vec.h"
 #include "model/pipe/section.h"
 #include "model/vessel/supports.h"
+#include "results/attachment_results.h"
 #include "results/check_results.h"
 #include "results/dragging_results.h"
 #include "results/ground_results.h"
@@ -243,12 +244,15 @@ struct StaticResults {
   std::vector<Station> stations;
   std::vector<SupportResult> supports;
   std::vector<StructureResult> structures;  ///< From the tensioner astern.
+  std::vector<PipePointResult> points;      ///< Clumps and buoys on the pipe, likewise.
+  std::vector<PipeWireResult> wires;        ///< From the pipe to something else, likewise.
 
   double force_residual = 0.0;   ///< Largest unbalanced nodal force over the total weight.
   double global_residual = 0.0;  ///< |sum of external forces and reactions| over the total weight.
   double total_weight = 0.0;     ///< Of the line in air [N].
   Vec3 sum_weight = Vec3::Zero(), sum_buoyancy = Vec3::Zero(), sum_current = Vec3::Zero(), sum_seabed = Vec3::Zero(),
        sum_rollers = Vec3::Zero(), top_reaction = Vec3::Zero(), anchor_reaction = Vec3::Zero();  ///< [N]
+  Vec3 sum_attached = Vec3::Zero();  ///< Of clumps, buoys and wires [N].
   SolveReport solve;
 
   // What pictures need beside the numbers above.

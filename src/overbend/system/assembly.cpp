@@ -152,6 +152,7 @@ void Assembly::set_time(double time, const SystemState& near) {
   }
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].contacts().place(surroundings_.bodies, near.lines[i].q.data(), kReach);
+    lines_[i].lead_wires(surroundings_.bodies);
     lines_[i].begin_step();
   }
   find_held();
@@ -191,6 +192,7 @@ void Assembly::lead_bodies(const SystemState& state) {
   border_.lead(state.bodies, surroundings_);
   for (LineAssembly& line : lines_) {
     line.contacts().move(surroundings_.bodies);
+    line.lead_wires(surroundings_.bodies);
   }
   find_held();
 }

@@ -59,9 +59,8 @@ InstantEnergy Assembly::energy(const SystemState& state) const {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const LineAssembly& line = lines_[i];
     const LineState& at = state.lines[i];
-    const LineMotion motion = line.motion_of(at, at, {}, surroundings_.water[i], nullptr);
     add(now.line, line.energy(at, surroundings_.water[i]));
-    add_point_energy(line.line().points, line.environment(), at.q.data(), motion, now.line);
+    line.add_attached_energy(at, surroundings_.water[i], now.line, now.top_power);
     now.line.strain += line.stored_by_yielding();
     now.bending_heat += at.bending_heat;
     add_contact_energy(line.contacts(), now);

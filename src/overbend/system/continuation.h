@@ -16,6 +16,7 @@ struct Continuation {
   double bed_level = 0.0;               ///< [m]
   double current = 1.0;                 ///< Factor on the current's speed.
   double yielding = 1.0;                ///< Factor on the plastic moments: 0 is linear steel.
+  double attached = 1.0;                ///< Factor on the forces of clumps, buoys and wires on the lines.
   double max_axial_stiffness = 1e300;   ///< Limit of the lines' axial stiffness [N].
 };
 

@@ -21,6 +21,13 @@ inline CutForces cut_at_node(const std::vector<double>& cuts, const std::vector<
   return {Map(cuts.data() + 6 * node), tangent.cross(Vec3(Map(cuts.data() + 6 * node + 3)))};
 }
 
+/// Square to a direction, in its vertical plane, upwards; of a vertical one across the world's y.
+inline Vec3 up_across(const Vec3& tangent) {
+  Vec3 up = Vec3::UnitZ() - tangent.z() * tangent;
+  if (up.norm() < 1e-9) up = Vec3::UnitY().cross(tangent);
+  return up.normalized();
+}
+
 /// Horizontal component of a cut's whole force, shear included; negative where the line is pushed along its tangent
 /// [N].
 inline double horizontal_tension(const Vec3& force, const Vec3& tangent) {

@@ -1,6 +1,52 @@
 #include "system/line.h"
 
+#include "model/pipe_attachments.h"
+#include "system/cable_line.h"
+
 namespace overbend {
+namespace {
+
+LineWire line_wire(const Model& model, const FreeLineDescription& line, int node) {
+  const LineEndDescription& far = is_on_pipe(model.description, line.first) ? line.second : line.first;
+  LineWire wire;
+  wire.node = node;
+  wire.wire.name = line.name;
+  wire.wire.first_body = far.kind == LineEndKind::body ? 0 : kGround;
+  wire.wire.first = far.kind == LineEndKind::body ? far.at : end_place(model, far);
+  wire.wire.length = unstressed_length(line);
+  wire.wire.axial_stiffness = axial_stiffness(line);
+  return wire;
+}
+
+void attach(const Model& model, Line& line) {
+  for (const PipeAttachment& attachment : pipe_attachments(model.description)) {
+    const double s = line.mesh.total_length() - attachment.from_top;
+    if (s <= 0.0) continue;
+    const int node = node_at(line.mesh, s);
+    if (attachment.point != nullptr) {
+      line.points.push_back(line_point(model, *attachment.point, node));
+    } else {
+      line.wires.push_back(line_wire(model, *attachment.line, node));
+    }
+  }
+}
+
+}  // namespace
+
+Vec3 end_place(const Model& model, const LineEndDescription& end) {
+  switch (end.kind) {
+    case LineEndKind::body:
+      return model.mean_pose.p_WV + model.mean_pose.R_WV * end.at;
+    case LineEndKind::bed:
+      return {end.at.x(), end.at.y(), model.seabed.surface.height(end.at.x(), end.at.y())};
+    case LineEndKind::fixed:
+    case LineEndKind::water:
+    case LineEndKind::free:
+    case LineEndKind::line:
+      break;
+  }
+  return end.at;
+}
 
 double weight_from(const LineMesh& mesh, const LineElements& elements, double from) {
   double weight = 0.0;
@@ -18,6 +64,7 @@ Line pipe_line(const Model& model, LineMesh mesh, const LayRoute& route) {
   line.route = route.pieces();
   line.yielding = yielding_elements(model, line.mesh);
   line.force_scale = weight_from(line.mesh, line.elements, line.mesh.s.front());
+  attach(model, line);
   return line;
 }
 

@@ -8,6 +8,7 @@
 #include "mechanics/line_elements.h"
 #include "system/line_mesh.h"
 #include "system/line_points.h"
+#include "system/wire.h"
 #include "system/yielding.h"
 
 namespace overbend {
@@ -31,6 +32,7 @@ struct Line {
   LineEnvironment environment;
   YieldingElements yielding;
   std::vector<LinePoint> points;                         ///< Clumps and buoys.
+  std::vector<LineWire> wires;                           ///< That hold it between its ends.
   bool on_rollers = true;                                ///< Whether it may meet the rollers of bodies.
   std::shared_ptr<const std::vector<RoutePiece>> route;  ///< What `environment` points to, of a route that bends.
   double force_scale = 1.0;  ///< What unbalanced forces are measured against: the weight in air [N].
@@ -39,6 +41,9 @@ struct Line {
 /// The pipe of a model on a mesh, its levels of yielding not chosen yet. Points into `model`, which must outlive the
 /// line.
 Line pipe_line(const Model& model, LineMesh mesh, const LayRoute& route);
+
+/// Place of an end of a line as drawn, W: of a body with the vessel at its mean pose, on the bed its height there.
+Vec3 end_place(const Model& model, const LineEndDescription& end);
 
 /// Weight in air of the elements at or beyond arc length `from` [N].
 double weight_from(const LineMesh& mesh, const LineElements& elements, double from);

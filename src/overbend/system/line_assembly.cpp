@@ -14,6 +14,10 @@ LineAssembly::LineAssembly(const Line& line, const std::vector<Body>& bodies, Bl
     : line_(&line),
       environment_(line.environment),
       yielding_(line.yielding),
+      points_(line.points),
+      wires_(line.wires),
+      wire_ends_(line.wires.size()),
+      wire_pulls_(line.wires.size()),
       contacts_(line, bodies),
       moving_yielding_(line.yielding, line.mesh),
       residual_(6 * static_cast<std::size_t>(line.mesh.nodes())),
@@ -34,11 +38,32 @@ void LineAssembly::set(const Continuation& continuation) {
   environment_.bed_relief = continuation.bed_relief;
   environment_.bed_level = continuation.bed_level;
   environment_.current_scale = continuation.current * line_->environment.current_scale;
+  points_ = line_->points;
+  for (LinePoint& point : points_) scale_forces(point, continuation.attached);
+  wires_ = line_->wires;
+  for (LineWire& wire : wires_) wire.wire.axial_stiffness *= continuation.attached;
   softened_.reset();
   if (continuation.max_axial_stiffness < Continuation{}.max_axial_stiffness) {
     softened_ = elements();
     for (double& stiffness : softened_->EA) stiffness = std::min(stiffness, continuation.max_axial_stiffness);
   }
+}
+
+void LineAssembly::lead_wires(const std::vector<RigidMotion>& bodies) {
+  for (std::size_t i = 0; i < wires_.size(); ++i) wire_ends_[i] = wire_end(wires_[i].wire, bodies);
+}
+
+void LineAssembly::add_attached_forces(const LineState& state, const LineMotion& motion, bool with_tangent) {
+  BlockTridiagonal* const tangent = with_tangent ? tangent_ : nullptr;
+  add_point_forces(points_, environment_, state.q.data(), motion, residual_.data(), tangent);
+  add_wire_forces(wires_, wire_ends_, state.q.data(), residual_.data(), tangent, wire_pulls_);
+}
+
+void LineAssembly::add_attached_energy(const LineState& state, const std::vector<double>& water, LineEnergy& sum,
+                                       double& power) const {
+  const LineMotion motion = motion_of(state, state, {}, water, nullptr);
+  add_point_energy(points_, environment_, state.q.data(), motion, sum);
+  add_wire_energy(wires_, wire_ends_, wire_pulls_, sum, power);
 }
 
 void LineAssembly::lay_beside(double to_port) {
@@ -128,8 +153,8 @@ void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, cons
     add_static_yielding(yielding_, line_->mesh, how, state.shape(), keep_memory, resting_,
                         {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
   }
-  add_point_forces(line_->points, environment_, state.q.data(), {}, residual_.data(),
-                   with_tangent ? tangent_ : nullptr);
+  lead_wires(bodies);
+  add_attached_forces(state, {}, with_tangent);
   keep_forces();
   if (with_tangent) {
     contacts_.add_tangent(state.q.data(), {}, *tangent_);
@@ -170,8 +195,7 @@ void LineAssembly::evaluate(LineState& state, const LineState& before, const Wei
         before.bending_heat + moving_yielding_.add_sliding(state.q.data(), before.bending, state.bending,
                                                            {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
   }
-  add_point_forces(line_->points, environment_, state.q.data(), motion, residual_.data(),
-                   with_tangent ? tangent_ : nullptr);
+  add_attached_forces(state, motion, with_tangent);
   contacts_.evaluate(state.q.data(), state.v.data(), weights, before.contacts, state.contacts, contacts,
                      {residual_, cuts_});
   keep_forces();

@@ -48,6 +48,13 @@ class LineAssembly {
 
   const Continuation& continuation() const { return continuation_; }
   void set(const Continuation& continuation);
+  /// Brings the first ends of wires to where their bodies are.
+  void lead_wires(const std::vector<RigidMotion>& bodies);
+  /// Of the wires of the line, at the state evaluated last.
+  const std::vector<WirePull>& wire_pulls() const { return wire_pulls_; }
+  /// Adds what clumps, buoys and wires store and take at the state evaluated last; powers of wires' ends to `power`.
+  void add_attached_energy(const LineState& state, const std::vector<double>& water, LineEnergy& sum,
+                           double& power) const;
   /// The pipe has been laid beside the route of the line, everywhere `to_port` metres away.
   void lay_beside(double to_port);
   /// Whether steel that may yield keeps what bent it upstream: the tangent at rest does not know that.
@@ -102,6 +109,7 @@ class LineAssembly {
     std::array<double, 6> force{};
   };
   LineTarget target(bool with_tangent);
+  void add_attached_forces(const LineState& state, const LineMotion& motion, bool with_tangent);
   void keep_forces();
 
   const Line* line_;
@@ -109,6 +117,10 @@ class LineAssembly {
   mutable std::optional<LineElements> paid_;  ///< Where a winch gives the last element its length.
   std::optional<LineElements> softened_;      ///< Where a continuation limits the axial stiffness.
   YieldingElements yielding_;                 ///< With its levels.
+  std::vector<LinePoint> points_;             ///< As the continuation has them.
+  std::vector<LineWire> wires_;               ///< Likewise.
+  std::vector<WireEnd> wire_ends_;
+  std::vector<WirePull> wire_pulls_;
   Continuation continuation_;
   RollerContacts contacts_;
   StaticYielding resting_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/pipe_attachments.h"
 #include "system/graded_mesh.h"
 
 namespace overbend {
@@ -51,6 +52,18 @@ void refine_edges(MeshPlan& plan, const Model& model, const MeshZones& zones, co
   }
 }
 
+/// A node under each clump, buoy and wire, where the pipe bends sharply.
+void meet_attachments(MeshPlan& plan, const Model& model, const MeshZones& zones, const MeshSizes& sizes) {
+  constexpr double kSame = 1e-6;  // [m]
+  for (const PipeAttachment& attachment : pipe_attachments(model.description)) {
+    const double place = attachment.from_top;
+    if (place >= zones.total - kShortestElement) continue;
+    plan.fine.push_back({place, place, sizes.touchdown});
+    const auto above = std::ranges::lower_bound(plan.fixed, place - kSame);
+    if (above == plan.fixed.end() || *above > place + kSame) plan.fixed.insert(above, place);
+  }
+}
+
 MeshPlan plan_mesh(const Model& model, const MeshZones& zones) {
   const MeshSizes sizes = mesh_sizes(model, zones);
   MeshPlan plan;
@@ -80,6 +93,7 @@ MeshPlan plan_mesh(const Model& model, const MeshZones& zones) {
     if (cable) plan.fine.push_back({span.from - kHeadZone, span.from + kHeadZone, sizes.overbend});
     if (cable) plan.fine.push_back({span.to - kHeadZone, span.to + kHeadZone, sizes.overbend});
   }
+  meet_attachments(plan, model, zones, sizes);
   plan.fixed.push_back(zones.total);
   return plan;
 }

@@ -147,6 +147,14 @@ LinePoint line_point(const Model& model, const LinePointDescription& description
   return point;
 }
 
+Vec3 point_force(const LinePoint& point, const LineEnvironment& env, const double* q) {
+  return force_of(point, env, state_of(point, q, {}), {}).value;
+}
+
+void scale_forces(LinePoint& point, double factor) {
+  for (double* force : {&point.weight, &point.buoyancy, &point.drag, &point.bed_stiffness}) *force *= factor;
+}
+
 PointWetting point_wetting(BuoyShape shape, double half_height, double z) {
   const double c = z / half_height;
   if (c <= -1.0) return {1.0, 0.0};

@@ -35,6 +35,12 @@ struct LinePoint {
 /// At a node of a line, in the model's water. A point without mass has what its net force asks for.
 LinePoint line_point(const Model& model, const LinePointDescription& description, int node);
 
+/// What it pulls its node by at rest, W [N].
+Vec3 point_force(const LinePoint& point, const LineEnvironment& env, const double* q);
+
+/// Makes its forces so much of what they are.
+void scale_forces(LinePoint& point, double factor);
+
 /// Immersed share of the volume with its middle at height z over the surface, and its derivative in z [-], [1/m].
 struct PointWetting {
   double share, slope;

@@ -13,10 +13,9 @@
 #include "mechanics/winch.h"
 #include "system/body.h"
 #include "system/line.h"
+#include "system/wire.h"
 
 namespace overbend {
-
-inline constexpr int kGround = -1;  ///< In place of a body: the world.
 
 /// What holds an end of a line to a body, or to the ground. A pipe is moved along `direction` by a machine, whether the
 /// guide holds the pipe's direction or lets it turn.
@@ -41,16 +40,6 @@ inline int held_node(const Attachment& held, const Line& line) {
   if (held.end == LineEnd::inner) return held.node;
   return held.end == LineEnd::first ? 0 : line.mesh.nodes() - 1;
 }
-
-/// A straight wire without weight between two points of bodies or of the ground. It bears tension alone.
-struct Wire {
-  std::string name;
-  int first_body = kGround, second_body = kGround;
-  Vec3 first = Vec3::Zero(), second = Vec3::Zero();  ///< In the frames of the bodies; W on the ground [m].
-  double length = 0.0;                               ///< Unstressed [m].
-  double axial_stiffness = 0.0;                      ///< EA [N]
-  std::optional<double> held_tension;                ///< By a winch that gives it what length that needs [N].
-};
 
 /// Motion of an attachment: place and direction of the guide with their rates, W.
 struct EndMotion {

@@ -1,6 +1,7 @@
 #include "system/wire.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace overbend {
 
@@ -18,6 +19,35 @@ WirePull wire_pull(const Wire& wire, const Vec3& first, const Vec3& second) {
   pull.force = pull.tension * along;
   pull.stiffness = axial * by_stretch + pull.tension / pull.span * (Mat3::Identity() - by_stretch);
   return pull;
+}
+
+WireEnd wire_end(const Wire& wire, const std::vector<RigidMotion>& bodies) {
+  if (wire.first_body == kGround) return {wire.first, Vec3::Zero()};
+  const RigidMotion& body = bodies[static_cast<std::size_t>(wire.first_body)];
+  const Vec3 arm = body.pose.R_WV * wire.first;
+  return {body.pose.p_WV + arm, body.velocity + body.omega.cross(arm)};
+}
+
+void add_wire_forces(std::span<const LineWire> wires, std::span<const WireEnd> ends, const double* q, double* residual,
+                     BlockTridiagonal* tangent, std::span<WirePull> pulls) {
+  for (std::size_t i = 0; i < wires.size(); ++i) {
+    const int node = wires[i].node;
+    pulls[i] = wire_pull(wires[i].wire, ends[i].place, Eigen::Map<const Vec3>(q + 6 * node));
+    double* const diag = tangent != nullptr ? tangent->diag(node) : nullptr;
+    for (int row = 0; row < 3; ++row) {
+      residual[6 * node + row] += pulls[i].force(row);
+      for (int k = 0; diag != nullptr && k < 3; ++k) diag[row * kRowWidth + k] += pulls[i].stiffness(row, k);
+    }
+  }
+}
+
+void add_wire_energy(std::span<const LineWire> wires, std::span<const WireEnd> ends, std::span<const WirePull> pulls,
+                     LineEnergy& sum, double& power) {
+  for (std::size_t i = 0; i < wires.size(); ++i) {
+    const Wire& wire = wires[i].wire;
+    sum.strain += 0.5 * pulls[i].tension * pulls[i].tension * wire.length / wire.axial_stiffness;
+    power -= pulls[i].force.dot(ends[i].velocity);
+  }
 }
 
 }  // namespace overbend

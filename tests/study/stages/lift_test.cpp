@@ -9,6 +9,7 @@
 #include "base/json.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "resultfiles/static/case_summary.h"
+#include "study/run/static_run.h"
 
 namespace overbend {
 namespace {
@@ -205,6 +206,45 @@ TEST(lift, tells_a_stage_that_cannot_be_and_goes_on) {
     EXPECT_NE(stage.lay.has_value(), stage.failure.has_value());
   }
   EXPECT_TRUE(results.stages.back().lay);
+}
+
+/// The pipe of a lay as a line from where the tensioner holds it to where it ends on the bed.
+Description as_line(const Description& lay, const StaticResults& laid) {
+  Description d = lay;
+  d.has_pipe = false;
+  d.pipe = {};
+  FreeLineDescription line;
+  line.name = "pipe";
+  line.first.at = laid.tensioner_W;
+  line.second.kind = LineEndKind::bed;
+  line.second.at = laid.anchor_W;
+  line.second.clamped = true;
+  line.second.direction = (laid.anchor_W - laid.tensioner_W).cwiseProduct(Vec3(1.0, 1.0, 0.0));
+  LineSegmentDescription segment;
+  segment.length = laid.total_length;
+  segment.section = lay.pipe.section;
+  const Section pipe = build_model(lay).pipe_section();
+  segment.type.diameter = segment.type.volume_diameter = segment.type.drag_diameter = pipe.outer_diameter;
+  segment.type.weight_in_air = pipe.weight_in_air;
+  segment.type.weight_submerged = pipe.weight_submerged;
+  segment.type.axial_stiffness = pipe.EA;
+  segment.type.bending_stiffness = pipe.EI;
+  segment.type.compression = true;
+  line.segments = {segment};
+  d.lines = {line};
+  return d;
+}
+
+// A pipe is a line: written as one between the same ends it hangs with the same forces.
+TEST(lift, hangs_a_pipe_written_as_a_line_as_the_lay_does) {
+  Description lay = read_case("LW12-J");
+  lay.lines.clear();
+  Model pipe = build_model(lay);
+  const StaticResults laid = run_statics(pipe).results.value();
+  Model line = build_model(as_line(lay, laid));
+  const StaticResults hung = run_statics(line).results.value();
+  EXPECT_NEAR(hung.lines[0].first.tension, laid.top_tension, 1e-4 * laid.top_tension);
+  EXPECT_NEAR(hung.lines[0].second.tension, laid.bottom_tension, 1e-3 * laid.bottom_tension);
 }
 
 }  // namespace

@@ -160,7 +160,7 @@ std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
     if (std::optional<StaticFailure> obstacle = static_obstacle(d)) return obstacle;
     if (std::optional<StaticFailure> obstacle = dragging_obstacle(d)) return obstacle;
   }
-  if (std::ranges::any_of(d.lines, is_linked)) {
+  if (!d.has_pipe && std::ranges::any_of(d.lines, is_linked)) {
     return refused("lines", "lines that hold each other cannot be run in time yet",
                    "static analysis brings them to rest, stage by stage");
   }

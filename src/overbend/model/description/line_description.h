@@ -99,6 +99,22 @@ inline bool is_linked(const FreeLineDescription& line) {
   return linked(line.first) || linked(line.second);
 }
 
+/// Unstressed, of all segments [m].
+inline double unstressed_length(const FreeLineDescription& line) {
+  double sum = 0.0;
+  for (const LineSegmentDescription& segment : line.segments) sum += segment.length.value_or(0.0);
+  return sum;
+}
+
+/// EA of a line whose segments stretch one after the other [N].
+inline double axial_stiffness(const FreeLineDescription& line) {
+  double compliance = 0.0;
+  for (const LineSegmentDescription& segment : line.segments) {
+    compliance += segment.length.value_or(0.0) / segment.type.axial_stiffness;
+  }
+  return unstressed_length(line) / compliance;
+}
+
 /// Whether a line is a straight wire: all of one type that weighs nothing and does not bend.
 inline bool is_weightless(const FreeLineDescription& line) {
   return line.points.empty() && std::ranges::all_of(line.segments, [](const auto& segment) {

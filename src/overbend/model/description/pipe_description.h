@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/description/line_description.h"
 #include "model/description/section_description.h"
 #include "model/description/structure_description.h"
 
@@ -21,6 +22,7 @@ struct PipeDescription {
   SectionDescription section;                    ///< Of the line where no segment says otherwise.
   std::vector<SegmentDescription> segments;      ///< From the tensioner astern; the rest has `section`.
   std::vector<StructureDescription> structures;  ///< Built in, over segments and all.
+  std::vector<LinePointDescription> points;      ///< Clumps and buoys; lengths from the tensioner.
   std::optional<double> length;                  ///< Unstressed length from tensioner to anchor [m].
   std::optional<double> anchor;                  ///< Horizontal distance of the anchor astern of the stern shoe [m].
 };

@@ -75,6 +75,7 @@ void resolve_lines(Description& description) {
     for (MooringLineDescription& line : description.moorings->lines) resolve_line(line, types, water);
   }
   for (FreeLineDescription& line : description.lines) resolve_line(line, types, water);
+  for (LinePointDescription& point : description.pipe.points) resolve_point(point, water);
 }
 
 }  // namespace overbend

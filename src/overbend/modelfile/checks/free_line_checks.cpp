@@ -78,6 +78,17 @@ void check_not_held(Checker& check, const FieldValue& line, const FieldValue& pl
   }
 }
 
+/// A place on the pipe that is laid, between its tensioner and its end.
+void check_on_pipe(Checker& check, const FieldValue& end) {
+  const FieldValue* place = end.find("arc_length");
+  if (place == nullptr) return;
+  const auto length = check.root().get_number("pipe.length");
+  if (place->number <= 0.0) check.error(*place, place->shown, "more than 0 m", "the tensioner holds the pipe there");
+  if (length && place->number >= *length) {
+    check.error(*place, place->shown, "less than the length of the pipe, " + format_quantity(*length, "m", "m"));
+  }
+}
+
 /// An end on another line: which is there, is not the line itself, does not hang on it in turn, and is long enough.
 void check_link(Checker& check, const FieldValue& line, const FieldValue& end) {
   const FieldValue* name = end.find("line");
@@ -86,6 +97,7 @@ void check_link(Checker& check, const FieldValue& line, const FieldValue& end) {
     check.missing(end, "arc_length", "a length with its unit", "where on the other line");
   }
   if (name == nullptr) return;
+  if (name->text == "pipe" && is_given(check.root(), "pipe")) return check_on_pipe(check, end);
   const FieldValue* other = find_line(check.root(), name->text);
   if (other == nullptr) {
     check_name(check, *name, line_names(Checker::items(check.root(), "lines")), "lines");

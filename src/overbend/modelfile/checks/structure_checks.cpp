@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "base/units.h"
 #include "model/description/description_words.h"
 #include "modelfile/checks/line_checks.h"
 #include "modelfile/checks/model_checks.h"
@@ -23,6 +24,21 @@ void check_apart(Checker& check, const FieldValue& one, const FieldValue& other,
   const double lengths = one.get_number("length").value_or(0.0) + other.get_number("length").value_or(0.0);
   if (std::abs(at->number - *other_at) < 0.5 * lengths * (1.0 - 1e-9)) {
     check.error(*at, at->shown, "a place beside '" + name_of_other + "', which lies there");
+  }
+}
+
+/// Clumps and buoys lie between the tensioner and the end of the pipe.
+void check_points(Checker& check, const FieldValue& pipe) {
+  const std::vector<FieldValue>& points = Checker::items(pipe, "points");
+  check_unique_names(check, points, "point");
+  const auto length = pipe.get_number("length");
+  for (const FieldValue& point : points) {
+    const FieldValue* place = point.find("arc_length");
+    if (place == nullptr) continue;
+    if (place->number <= 0.0) check.error(*place, place->shown, "more than 0 m", "the tensioner holds the pipe there");
+    if (length && place->number >= *length) {
+      check.error(*place, place->shown, "less than the length of the pipe, " + format_quantity(*length, "m", "m"));
+    }
   }
 }
 
@@ -53,6 +69,7 @@ void check_structures(Checker& check) {
     for (std::size_t i = 0; i + 1 < names.size(); ++i) check_apart(check, structure, structures[i], names[i]);
   }
   check_passage(check, names);
+  check_points(check, *pipe);
 }
 
 }  // namespace overbend

@@ -124,38 +124,6 @@ std::vector<Field> pipe_of_segments() {
   return rows;
 }
 
-/// A clump or a buoy by what it weighs and displaces: resolve_lines() makes a volume of the force that is put here.
-LinePointDescription& add_point(Line& line, const FieldValue&) {
-  LinePointDescription& point = line.points.emplace_back();
-  point.kind = PointKind::buoy;
-  point.by_weight = true;
-  point.added_mass = std::numeric_limits<double>::quiet_NaN();
-  point.name = "point " + std::to_string(line.points.size());
-  return point;
-}
-
-std::vector<Field> points() {
-  using Point = LinePointDescription;
-  const std::string p = "lines[].points[]";
-  return {
-      list_row("lines[].points", {}, "Clumps and buoys by weight and buoyancy.", "none"),
-      group_row(p, opened_by<Line>(add_point), "One of them."),
-      otherwise(row_of_kind(FieldKind::text, p + ".name", fills(&Point::name), "Name in the results."),
-                "point 1, 2, ..."),
-      required(quantity_row(p + ".arc_length", fills(&Point::at),
-                            "Unstressed length along the line from its first end.", kLength, kNotNegative)),
-      quantity_row(p + ".weight_in_air",
-                   with_default(taken_by<Point>([](Point& point, const FieldValue& weight) {
-                                  point.mass = weight.number / kGravity;
-                                }),
-                                0.0),
-                   "Weight in air.", kForce, kNotNegative),
-      quantity_row(p + ".buoyancy", with_default(fills(&Point::net_force), 0.0),
-                   "Weight of the water that it displaces when submerged.", kForce, kNotNegative),
-      quantity_row(p + ".drag_area", defaults(&Point::drag_area), "Drag coefficient times area.", kArea, kNotNegative),
-  };
-}
-
 std::vector<Field> start() {
   const auto open = [](Line& line, const FieldValue&) -> Vec3& { return line.start.emplace(Vec3::Zero()); };
   std::vector<std::string> words = world_axes_words();
@@ -186,7 +154,7 @@ std::vector<Field> free_lines() {
   append(rows, motion());
   append(rows, line_body_rows<Line>("lines[]"));
   append(rows, pipe_of_segments());
-  append(rows, points());
+  append(rows, point_rows<Line>("lines[]", "from its first end"));
   append(rows, start());
   append(rows, {otherwise(quantity_row("lines[].element", fills(&Line::element), "Length of its elements.", kLength,
                                        {.low = 0.02, .high = 1000.0}),

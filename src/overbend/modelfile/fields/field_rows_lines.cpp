@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/constants.h"
 #include "model/description/description_words.h"
 #include "model/pipe/line_types.h"
 #include "model/pipe/section.h"
@@ -250,6 +251,47 @@ std::vector<Field> line_body_rows(const std::string& p) {
   append(rows, buoys<Line>(p));
   return rows;
 }
+namespace {
+
+/// A clump or a buoy by what it weighs and displaces: resolve_lines() makes a volume of the force that is put here.
+template <typename Holder>
+LinePointDescription& add_point_by_weight(Holder& holder, const FieldValue&) {
+  LinePointDescription& point = holder.points.emplace_back();
+  point.kind = PointKind::buoy;
+  point.by_weight = true;
+  point.added_mass = kLater;
+  point.name = "point " + std::to_string(holder.points.size());
+  return point;
+}
+
+}  // namespace
+
+template <typename Holder>
+std::vector<Field> point_rows(const std::string& p, const std::string& from) {
+  using Point = LinePointDescription;
+  const std::string points = p + ".points[]";
+  return {
+      list_row(p + ".points", {}, "Clumps and buoys by weight and buoyancy.", "none"),
+      group_row(points, opened_by<Holder>(add_point_by_weight<Holder>), "One of them."),
+      otherwise(row_of_kind(FieldKind::text, points + ".name", fills(&Point::name), "Name in the results."),
+                "point 1, 2, ..."),
+      required(quantity_row(points + ".arc_length", fills(&Point::at), "Unstressed length along the line " + from + ".",
+                            kLength, kNotNegative)),
+      quantity_row(points + ".weight_in_air",
+                   with_default(taken_by<Point>([](Point& point, const FieldValue& weight) {
+                                  point.mass = weight.number / kGravity;
+                                }),
+                                0.0),
+                   "Weight in air.", kForce, kNotNegative),
+      quantity_row(points + ".buoyancy", with_default(fills(&Point::net_force), 0.0),
+                   "Weight of the water that it displaces when submerged.", kForce, kNotNegative),
+      quantity_row(points + ".drag_area", defaults(&Point::drag_area), "Drag coefficient times area.", kArea,
+                   kNotNegative),
+  };
+}
+
+template std::vector<Field> point_rows<FreeLineDescription>(const std::string& p, const std::string& from);
+template std::vector<Field> point_rows<PipeDescription>(const std::string& p, const std::string& from);
 template std::vector<Field> line_body_rows<MooringLineDescription>(const std::string& p);
 template std::vector<Field> line_body_rows<FreeLineDescription>(const std::string& p);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/description/mooring_description.h"
+#include "model/description/pipe_description.h"
 #include "modelfile/schema/field.h"
 
 namespace overbend::field_rows {
@@ -21,5 +22,10 @@ std::vector<Field> line_type_rows(const std::string& p);
 /// What a line is made of: type and length, or segments; clumps and buoys. `Line` has `segments` and `points`.
 template <typename Line>
 std::vector<Field> line_body_rows(const std::string& p);
+
+/// Clumps and buoys under `p`.points by weight and buoyancy, of a `Holder` with `points`. `from`: what their lengths
+/// count from.
+template <typename Holder>
+std::vector<Field> point_rows(const std::string& p, const std::string& from);
 
 }  // namespace overbend::field_rows

@@ -1,5 +1,6 @@
 #include "model/description/description_words.h"
 #include "modelfile/fields/field_rows.h"
+#include "modelfile/fields/field_rows_lines.h"
 
 namespace overbend::field_rows {
 namespace {
@@ -380,6 +381,7 @@ std::vector<Field> pipe() {
          });
   append(rows, section_of<SegmentDescription>("pipe.segments[]", segment_section("pipe.segments[]")));
   append(rows, structures());
+  append(rows, point_rows<PipeDescription>("pipe", "from the tensioner"));
   return rows;
 }
 

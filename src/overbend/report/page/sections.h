@@ -39,6 +39,8 @@ std::string support_table(const StaticResults& results);
 std::string rollers_section(const StaticResults& results);
 /// What is built into the pipe, and the pipe beside it; empty without any.
 std::string structures_section(const StaticResults& results);
+/// Clumps, buoys and wires on the pipe; empty without any.
+std::string attachments_section(const StaticResults& results);
 /// Contacts, free spans and extremes of the pipe on an uneven bed; empty on a plane.
 std::string laid_pipe_section(const StaticResults& results);
 std::string balance_section(const StaticResults& results);

@@ -3,6 +3,7 @@
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/mooring_tables.h"
 #include "resultfiles/tables/finite_visitor.h"
+#include "results/fields/attachment_fields.h"
 #include "results/fields/check_fields.h"
 #include "results/fields/dragging_fields.h"
 #include "results/fields/ground_fields.h"
@@ -88,6 +89,14 @@ void require_finite(const StaticResults& results) {
   for (std::size_t i = 0; i < results.structures.size(); ++i) {
     visit.place = indexed("structures", i);
     visit_structure(results.structures[i], visit);
+  }
+  for (std::size_t i = 0; i < results.points.size(); ++i) {
+    visit.place = indexed("points", i);
+    visit_pipe_point(results.points[i], visit);
+  }
+  for (std::size_t i = 0; i < results.wires.size(); ++i) {
+    visit.place = indexed("wires", i);
+    visit_pipe_wire(results.wires[i], visit);
   }
   for (std::size_t i = 0; i < results.stations.size(); ++i) {
     visit.place = indexed("stations", i);

@@ -7,6 +7,7 @@
 #include "resultfiles/moored/mooring_hdf5.h"
 #include "resultfiles/static/results_writer.h"
 #include "resultfiles/static/sensitivity_files.h"
+#include "results/fields/attachment_fields.h"
 #include "results/fields/dragging_fields.h"
 #include "results/fields/ground_fields.h"
 #include "results/fields/lay_operation_fields.h"
@@ -72,6 +73,22 @@ void write_tables(DatasetSink& file, const std::string& group, const StaticResul
   stations.write(file, group + "/stations", "Stations of the pipe from the anchor to the tensioner");
   sections.write(file, group + "/sections", "Properties of the sections");
   structures.write(file, group + "/structures", "What is built into the pipe");
+}
+
+void write_attachments(DatasetSink& file, const std::string& group, const StaticResults& results) {
+  TableWriter points, wires;
+  for (const PipePointResult& point : results.points) {
+    points(index_field("Number of the point, from 0"), points.rows());
+    visit_pipe_point(point, points);
+    points.end_row();
+  }
+  for (const PipeWireResult& wire : results.wires) {
+    wires(index_field("Number of the wire, from 0"), wires.rows());
+    visit_pipe_wire(wire, wires);
+    wires.end_row();
+  }
+  if (!results.points.empty()) points.write(file, group + "/points", "Clumps and buoys on the pipe");
+  if (!results.wires.empty()) wires.write(file, group + "/wires", "Wires on the pipe");
 }
 
 void write_stinger(DatasetSink& file, const std::string& group, const StaticResults& results) {
@@ -218,6 +235,7 @@ void write_lay_group(DatasetSink& file, const std::string& group, const StaticRe
   }
   write_region(file, group + "/sagbend", "Extremes from there to touchdown", results.sagbend);
   write_tables(file, group, results);
+  write_attachments(file, group, results);
   write_supports(file, group, results);
   write_stinger(file, group, results);
   write_checks(file, group + "/checks", results.checks);

@@ -6,6 +6,7 @@
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/mooring_hdf5.h"
 #include "resultfiles/static/sensitivity_files.h"
+#include "results/fields/attachment_fields.h"
 #include "results/fields/dragging_fields.h"
 #include "results/fields/ground_fields.h"
 #include "results/fields/lay_operation_fields.h"
@@ -70,6 +71,23 @@ void read_tables(const Hdf5Reader& file, const std::string& group, StaticResults
     structures.start_row(i);
     visit_structure(results.structures[i], structures);
   }
+}
+
+/// Rows of a table that is there where there is something to tell.
+template <class Row, class Visit>
+void read_rows(const Hdf5Reader& file, const std::string& group, std::vector<Row>& rows, Visit visit_row) {
+  if (!file.has(group)) return;
+  TableReader table(file, group);
+  rows.resize(table.rows("index"));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    table.start_row(i);
+    visit_row(rows[i], table);
+  }
+}
+
+void read_attachments(const Hdf5Reader& file, const std::string& group, StaticResults& results) {
+  read_rows(file, group + "/points", results.points, [](auto& row, auto& visit) { visit_pipe_point(row, visit); });
+  read_rows(file, group + "/wires", results.wires, [](auto& row, auto& visit) { visit_pipe_wire(row, visit); });
 }
 
 void read_stinger(const Hdf5Reader& file, const std::string& group, StaticResults& results) {
@@ -164,6 +182,7 @@ StaticResults read_lay_group(const Hdf5Reader& file, const std::string& group) {
   visit_key_results(results, visit);
   visit.group = group + "/touchdown";
   visit_touchdown(results.touchdown, visit);
+  read_attachments(file, group, results);
   visit.group = group + "/sums";
   visit_sums(results, visit);
   visit.group = group + "/solve";

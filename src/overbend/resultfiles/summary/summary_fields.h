@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "resultfiles/summary/json_fields.h"
+#include "results/fields/attachment_fields.h"
 #include "results/fields/check_fields.h"
 #include "results/fields/dynamic_values.h"
 #include "results/fields/ground_fields.h"
@@ -143,6 +144,21 @@ auto summary_structure(const Style& style, const StructureResult& structure) {
   return style.named("StructureSummary", object_of(style, [&](auto& one) { visit_structure(structure, one); }));
 }
 
+/// Clumps, buoys and wires on the pipe.
+template <class Style>
+void put_attachments(const Style& style, const StaticResults& r, JsonWriter<Style>& json) {
+  json.part(!r.points.empty(), [&](auto& members) {
+    members["points"] = style.rows(r.points, [&](const PipePointResult& point) {
+      return style.named("PointSummary", object_of(style, [&](auto& one) { visit_pipe_point(point, one); }));
+    });
+  });
+  json.part(!r.wires.empty(), [&](auto& members) {
+    members["wires"] = style.rows(r.wires, [&](const PipeWireResult& wire) {
+      return style.named("WireSummary", object_of(style, [&](auto& one) { visit_pipe_wire(wire, one); }));
+    });
+  });
+}
+
 /// A section of a stinger on hinges; the place of its tip from the stern shoe, in the frame of ramp and stinger.
 template <class Style>
 auto summary_stinger_section(const Style& style, const StaticResults& r, const StingerSectionResult& section) {
@@ -196,6 +212,7 @@ auto static_part(const Style& style, const StaticResults& r) {
   json["supports"] = style.rows(r.supports, [&](const SupportResult& box) { return summary_support(style, box); });
   json["structures"] =
       style.rows(r.structures, [&](const StructureResult& one) { return summary_structure(style, one); });
+  put_attachments(style, r, json);
   visit_contacts(r, json);
   for (const char* key : {"largest_reaction", "smallest_separation"}) json.or_null(key, !r.supports.empty());
   visit_balance(r, json);

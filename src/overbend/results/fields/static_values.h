@@ -113,6 +113,9 @@ void visit_sums(Results& r, Visit& visit) {
   visit(ResultField{"current", "N", "Sum of the current's forces", kWorldFrame}, r.sum_current);
   visit(ResultField{"seabed", "N", "Sum of the seabed reaction", kWorldFrame}, r.sum_seabed);
   visit(ResultField{"rollers", "N", "Sum of the roller reactions", kWorldFrame}, r.sum_rollers);
+  if (!r.points.empty() || !r.wires.empty()) {
+    visit(ResultField{"attached", "N", "Sum of the forces of clumps, buoys and wires", kWorldFrame}, r.sum_attached);
+  }
   visit(ResultField{"top_reaction", "N", "Force of the tensioner on the pipe", kWorldFrame}, r.top_reaction);
   visit(ResultField{"anchor_reaction", "N", "Force of the anchor on the pipe", kWorldFrame}, r.anchor_reaction);
 }

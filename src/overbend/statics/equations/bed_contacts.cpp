@@ -1,5 +1,7 @@
 #include "statics/equations/bed_contacts.h"
 
+#include "model/pipe_attachments.h"
+
 namespace overbend {
 namespace {
 
@@ -23,6 +25,10 @@ ElementPlace edge(const StaticSystem& system, const LineState& state, int elemen
 
 }  // namespace
 
+bool may_span(const Model& model) {
+  return model.seabed.surface.shape() != nullptr || !pipe_attachments(model.description).empty();
+}
+
 std::vector<BedContact> bed_contacts(const StaticSystem& system, const LineState& state) {
   std::vector<BedContact> contacts;
   bool touching = false;
@@ -43,7 +49,7 @@ std::vector<BedContact> bed_contacts(const StaticSystem& system, const LineState
 
 std::vector<ElementPlace> contact_places(const StaticSystem& system, const LineState& state) {
   std::vector<ElementPlace> places;
-  if (system.model().seabed.surface.shape() == nullptr) return places;
+  if (!may_span(system.model())) return places;
   for (const BedContact& contact : bed_contacts(system, state)) {
     places.push_back(contact.from);
     if (contact.to.s > 0.0) places.push_back(contact.to);

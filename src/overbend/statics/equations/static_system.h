@@ -26,6 +26,7 @@ class StaticSystem {
   const StaticYielding& yielding_points() const { return pipe().yielding_at_rest(); }
   const RollerContacts& rollers() const { return pipe().contacts(); }
   const std::vector<RollerContact>& contacts() const { return rollers().contacts(); }
+  const std::vector<WirePull>& wire_pulls() const { return pipe().wire_pulls(); }
   const std::vector<double>& residual() const { return pipe().residual(); }
   const std::vector<double>& cuts() const { return pipe().cuts(); }
   BlockTridiagonal& tangent() { return pipe().tangent(); }

@@ -166,7 +166,7 @@ LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
     const double bends = plane.route.pieces()->back().s - shape.distance.back();
     tail = std::clamp(bends + kBehind, tail, std::max(tail, kLongest));
   }
-  append_tail(shape, plane, tail);
+  append_tail(shape, plane, tail_beyond_attachments(model, shape.touchdown, tail));
   return shape;
 }
 

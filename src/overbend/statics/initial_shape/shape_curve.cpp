@@ -5,6 +5,7 @@
 
 #include "mechanics/line_elements.h"
 #include "mechanics/rod_element.h"
+#include "model/pipe_attachments.h"
 
 namespace overbend {
 
@@ -80,6 +81,11 @@ double tail_length(const Model& model, double H, double suspended) {
   const Section& pipe = model.pipe_section();
   const double soil = std::pow(4.0 * pipe.EI / model.seabed.stiffness, 0.25);
   return 12.0 * soil + 2.0 * std::sqrt(pipe.EI / H) + std::clamp(0.25 * suspended, 30.0, 300.0);
+}
+
+double tail_beyond_attachments(const Model& model, double touchdown, double tail) {
+  const std::vector<PipeAttachment> attached = pipe_attachments(model.description);
+  return attached.empty() ? tail : std::max(tail, attached.back().from_top - touchdown + tail);
 }
 
 }  // namespace overbend

@@ -29,4 +29,7 @@ void append_tail(LayShape& shape, const LayPlane& plane, double tail);
 /// besides [m]. `suspended`: length of the free span.
 double tail_length(const Model& model, double bottom_tension, double suspended);
 
+/// The laid length that leaves as much behind what is fixed to the pipe [m]. `touchdown`: length from the top.
+double tail_beyond_attachments(const Model& model, double touchdown, double tail);
+
 }  // namespace overbend

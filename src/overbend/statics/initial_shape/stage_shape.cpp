@@ -252,7 +252,9 @@ LayShape stage_shape(const Model& model, const LayPlane& plane, double tension) 
   const double tail =
       model.description.pipe.length
           ? *model.description.pipe.length - shape.touchdown
-          : laid_length(model, shape) + tail_length(model, shape.bottom_tension, shape.touchdown - shape.last_support);
+          : laid_length(model, shape) +
+                tail_beyond_attachments(model, shape.touchdown,
+                                        tail_length(model, shape.bottom_tension, shape.touchdown - shape.last_support));
   if (tail > 1e-6) append_tail(shape, plane, tail);
   shape.total = model.description.pipe.length.value_or(shape.length.back());
   return shape;

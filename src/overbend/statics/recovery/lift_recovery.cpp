@@ -19,13 +19,6 @@ std::size_t to_size(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Square to a direction, in its vertical plane, upwards; of a vertical one across the world's y.
-Vec3 up_across(const Vec3& tangent) {
-  Vec3 up = Vec3::UnitZ() - tangent.z() * tangent;
-  if (up.norm() < 1e-9) up = Vec3::UnitY().cross(tangent);
-  return up.normalized();
-}
-
 double inclination_of(const Vec3& tangent) {
   return std::asin(std::clamp(-tangent.z(), -1.0, 1.0));
 }

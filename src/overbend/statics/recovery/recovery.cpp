@@ -15,6 +15,7 @@
 #include "statics/equations/bed_contacts.h"
 #include "statics/equations/touchdown.h"
 #include "statics/recovery/current_effect.h"
+#include "statics/recovery/recovery_attachments.h"
 #include "statics/recovery/recovery_bed.h"
 #include "statics/recovery/recovery_cable.h"
 #include "statics/recovery/recovery_dragging.h"
@@ -70,9 +71,10 @@ CutForces cut_at(const StaticSystem& system, const LineState& state, const std::
   const double h = system.mesh().length[static_cast<std::size_t>(element)];
   const Vec3 lever = centreline(q, xi, h).r - q.segment<3>(0);
   const CutForces loads = loads_before(system, state, element, xi);
-  // The stretch [0, xi] is in balance under the cut at its start (reversed), its loads and the cut at its end.
-  const Vec3 force = start.force - loads.force;
-  return {force, start.moment - lever.cross(start.force) - loads.moment};
+  // The stretch [0, xi] is in balance under the cut at its start (reversed), above what is fixed to the node there, its
+  // loads and the cut at its end.
+  const Vec3 begins = start.force - attached_force(system, state, element);
+  return {begins - loads.force, start.moment - lever.cross(begins) - loads.moment};
 }
 
 namespace {
@@ -134,11 +136,14 @@ bool section_changes(const StaticSystem& system, int element) {
 }
 
 /// A node's station is one of the element that begins there. Where the pipe goes over into something stiffer its strain
-/// is largest right at that node, so both elements get a station close to it.
+/// is largest right at that node, so both elements get a station close to it; so they do where something is fixed to
+/// the node, which makes the tension jump.
 void add_places_beside(const StaticSystem& system, int element, double length, std::vector<double>& places) {
   if (length <= 4.0 * kBesideStep) return;
   if (section_changes(system, element - 1)) places.push_back(kBesideStep / length);
-  if (section_changes(system, element)) places.push_back(1.0 - kBesideStep / length);
+  if (section_changes(system, element) || holds_something(system, element + 1)) {
+    places.push_back(1.0 - kBesideStep / length);
+  }
 }
 
 /// Nodes, places where a roller pushes, touchdown and, in long elements, points between.
@@ -264,11 +269,12 @@ void sum_forces(StaticResults& results, StaticSystem& system, const LineState& s
     results.sum_rollers += roller.force();
   }
   system.evaluate(state, false);
+  results.sum_attached = attached_force(system, state);
   results.top_reaction = system.end_reaction(system.mesh().nodes() - 1);
   results.anchor_reaction = system.end_reaction(0) + state.far_force * system.far_direction();
   results.total_weight = system.total_weight();
   const Vec3 sum = results.sum_weight + results.sum_buoyancy + results.sum_current + results.sum_seabed +
-                   results.sum_rollers + results.top_reaction + results.anchor_reaction;
+                   results.sum_rollers + results.sum_attached + results.top_reaction + results.anchor_reaction;
   results.global_residual = sum.norm() / results.total_weight;
   system.hold(false);
   results.force_residual = system.relative_residual();
@@ -373,6 +379,7 @@ StaticResults recover_state(const Model& model, const StaticSolution& solution) 
                 regions_of(results.stations, landing.s, departure.carried ? std::optional(departure.s) : std::nullopt,
                            model.description.tensioner.guide == Guide::clamped));
   results.structures = recover_structures(model, results);
+  recover_attachments(results, system, state, cuts);
   recover_bed(results, system, state);
   sum_forces(results, system, state);
   recover_stinger(results, system, solution);
@@ -390,6 +397,7 @@ StaticResults recover_in_current(const Model& model, const StaticSolution& solut
   warn_statics(model, results);
   warn_of_uneven_bed(model, results);
   warn_of_dragging(results);
+  warn_of_attachments(results);
   warn_of_missed_target(results, model);
   note_sensitive_tension(results, model, solution);
   return results;

@@ -115,7 +115,7 @@ bool outside(const BedShape& shape, const Vec3& p_W) {
 }  // namespace
 
 void recover_bed(StaticResults& results, const StaticSystem& system, const LineState& state) {
-  if (system.model().seabed.surface.shape() == nullptr) return;
+  if (!may_span(system.model())) return;
   BedResults bed;
   for (const BedContact& contact : bed_contacts(system, state)) {
     bed.contacts.push_back(contact_result(bed, system, state, contact));
@@ -160,9 +160,10 @@ void warn_of_uneven_bed(const Model& model, StaticResults& results) {
             .on("pipe")
             .with("moment", results.bed->hogging_moment, "N m"));
   }
-  const BedShape& shape = *model.seabed.surface.shape();
-  const bool leaves = std::ranges::any_of(
-      results.stations, [&](const Station& at) { return at.s <= results.touchdown.s && outside(shape, at.p_W); });
+  const BedShape* const shape = model.seabed.surface.shape();
+  const bool leaves = shape != nullptr && std::ranges::any_of(results.stations, [&](const Station& at) {
+                        return at.s <= results.touchdown.s && outside(*shape, at.p_W);
+                      });
   if (leaves) {
     results.findings.push_back({FindingCode::outside_bathymetry,
                                 "the laid pipe leaves the area of environment.seabed.bathymetry; the depth beyond its "

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace overbend {
@@ -10,12 +11,15 @@ struct Sample {
   double x = 0.0, value = 0.0;
 };
 
-/// Of samples in the order of x the largest, of the parabola through it and its neighbours. All zero without samples.
+/// Of samples in the order of x the largest, of the parabola through it and its neighbours. A neighbour that is very
+/// close stands beside a kink, where there is no parabola. All zero without samples.
 inline Sample peak(const std::vector<Sample>& samples) {
   if (samples.empty()) return {};
   const auto largest = std::ranges::max_element(samples, {}, &Sample::value);
   if (largest == samples.begin() || largest + 1 == samples.end()) return *largest;
+  constexpr double kKink = 2e-3;  // [m]
   const Sample &a = *(largest - 1), &b = *largest, &c = *(largest + 1);
+  if (std::min(std::abs(b.x - a.x), std::abs(c.x - b.x)) < kKink) return b;
   const double before = (b.value - a.value) / (b.x - a.x), behind = (c.value - b.value) / (c.x - b.x);
   const double bend = (behind - before) / (c.x - a.x);
   if (!(bend < 0.0)) return b;

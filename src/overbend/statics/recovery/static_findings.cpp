@@ -10,6 +10,7 @@
 #include "base/shown_unit.h"
 #include "model/lay_stage.h"
 #include "model/material_words.h"
+#include "model/pipe_attachments.h"
 #include "results/regions.h"
 #include "results/result_words.h"
 #include "statics/solver/support_outlier.h"
@@ -172,6 +173,19 @@ void warn_of_structures_beyond(Findings& list, const Model& model, const StaticR
   }
 }
 
+/// Clumps, buoys and wires beyond the end of the line.
+void warn_of_attachments_beyond(Findings& list, const Model& model, const StaticResults& results) {
+  for (const PipeAttachment& attached : pipe_attachments(model.description)) {
+    if (attached.from_top < results.total_length) continue;
+    const std::string& name = attached.point != nullptr ? attached.point->name : attached.line->name;
+    list.push_back(Finding{FindingCode::structure_beyond_end,
+                           fmt::format("'{}' is on the pipe {} from the tensioner, beyond the end of the line, which "
+                                       "has nothing of it",
+                                       name, shown(attached.from_top, "m", 1))}
+                       .on(name));
+  }
+}
+
 /// A bed on whose slope the laid pipe would slide along itself: statics hold its far end.
 void warn_of_slope(Findings& list, const Model& model, const StaticResults& results) {
   const BedSurface& bed = model.seabed.surface;
@@ -238,6 +252,7 @@ void warn_statics(const Model& model, StaticResults& results) {
   warn_of_strain_beside_stiff_stretches(list, model, results);
   append(list, lay_findings(model));
   warn_of_structures_beyond(list, model, results);
+  warn_of_attachments_beyond(list, model, results);
   warn_of_slope(list, model, results);
   warn_of_land(list, model, results);
 }

@@ -14,6 +14,19 @@
 namespace overbend {
 namespace {
 
+/// Whether an end is one of pipe along the bed.
+bool lies_at(const FreeLineDescription& line, const LineEndDescription& end) {
+  return end.kind == LineEndKind::bed && end.clamped && has_pipe_section(line);
+}
+
+/// Pipe that is led along the bed lies at rest where it is held: on its underside, as deep as it sinks in.
+void lay_down(const Model& model, double radius, Attachment& held) {
+  const Vec3 normal = model.seabed.surface.normal(held.place.x(), held.place.y());
+  held.place += radius / normal.z() * Vec3::UnitZ();
+  held.direction = (held.direction - normal.dot(held.direction) * normal).normalized();
+  held.free_along = normal;
+}
+
 Attachment attachment_of(const Model& model, const LineEndDescription& end, int line, LineEnd which) {
   Attachment attachment;
   attachment.line = line;
@@ -84,7 +97,8 @@ LinesSetup setup_on(const Model& model, const std::vector<std::vector<FineStretc
     const CableParts parts{line.segments, line.points};
     const Vec3 first = end_place(model, line.first), second = end_place(model, line.second);
     const CableStart start = cable_start(model, parts, first, second);
-    CableMesh mesh{start.touchdown(), line.element, 0.0, {}};
+    CableMesh mesh = wanted_mesh(model, line, parts);
+    mesh.touchdown = start.touchdown();
     if (!fine.empty()) mesh.fine = fine[static_cast<std::size_t>(number)];
     system.lines.push_back(cable_line(model, parts, mesh, first, second));
     system.lines.back().name = line.name;
@@ -93,6 +107,11 @@ LinesSetup setup_on(const Model& model, const std::vector<std::vector<FineStretc
     setup.wires.push_back(-1);
     system.attachments.push_back(attachment_of(model, line.first, number, LineEnd::first));
     system.attachments.push_back(attachment_of(model, line.second, number, LineEnd::last));
+    const LineElements& elements = system.lines.back().elements;
+    if (lies_at(line, line.first)) lay_down(model, elements.radius.front(), *(system.attachments.end() - 2));
+    if (lies_at(line, line.second)) {
+      lay_down(model, elements.radius[static_cast<std::size_t>(elements.count) - 1], system.attachments.back());
+    }
     ++number;
   }
   system.surroundings = resting_surroundings(model.mean_pose, system.attachments);
@@ -102,12 +121,13 @@ LinesSetup setup_on(const Model& model, const std::vector<std::vector<FineStretc
 /// Where a line at rest on a mesh leaves the bed, away from where its first guess does. In waves such a line, whose
 /// tension there is small, is laid down and lifted by elements: of a fortieth of the line they would make a swing of
 /// the tension a third too large.
-std::vector<FineStretch> stretches_at_bed(const FreeLineDescription& description, const Line& line,
+std::vector<FineStretch> stretches_at_bed(const Model& model, const FreeLineDescription& description, const Line& line,
                                           const CableStart& start, const std::vector<double>& q, bool waves) {
   constexpr double kInWaves = 0.4;
   constexpr double kGuessed = 0.05;  // of the length: so far the short elements of the first guess serve
   const CableParts parts{description.segments, description.points};
-  const CableMesh plain{start.touchdown(), description.element, 0.0, {}};
+  CableMesh plain = wanted_mesh(model, description, parts);
+  plain.touchdown = start.touchdown();
   const auto lies = [&](std::size_t node) {
     const std::size_t element = std::min(node, line.mesh.length.size() - 1);
     const Vec3 r = Eigen::Map<const Vec3>(q.data() + 6 * node);
@@ -137,7 +157,7 @@ std::vector<std::vector<FineStretch>> stretches_at_rest(const Model& model, doub
     const std::vector<double>& q = rest.lines[i].converged() ? state.lines[i].q : rough.start[i];
     const CableStart start =
         cable_start(model, {line.segments, line.points}, end_place(model, line.first), end_place(model, line.second));
-    fine.push_back(stretches_at_bed(line, rough.system.lines[i], start, q, k > 0.0));
+    fine.push_back(stretches_at_bed(model, line, rough.system.lines[i], start, q, k > 0.0));
     if (k <= 0.0) continue;
     const std::vector<FineStretch> felt = stretches_in_waves(k, rough.system.lines[i].mesh, q);
     fine.back().insert(fine.back().end(), felt.begin(), felt.end());
@@ -152,19 +172,10 @@ bool is_catenary(const FreeLineDescription& line) {
 
 }  // namespace
 
-Vec3 end_place(const Model& model, const LineEndDescription& end) {
-  switch (end.kind) {
-    case LineEndKind::body:
-      return model.mean_pose.p_WV + model.mean_pose.R_WV * end.at;
-    case LineEndKind::bed:
-      return {end.at.x(), end.at.y(), model.seabed.surface.height(end.at.x(), end.at.y())};
-    case LineEndKind::fixed:
-    case LineEndKind::water:
-    case LineEndKind::free:
-    case LineEndKind::line:
-      break;
-  }
-  return end.at;
+CableMesh wanted_mesh(const Model& model, const FreeLineDescription& line, const CableParts& parts) {
+  CableMesh mesh{std::nullopt, line.element, 0.0, {}};
+  if (!mesh.element && parts.has_pipe()) mesh.element = pipe_element(model, parts);
+  return mesh;
 }
 
 bool has_linked_lines(const Description& description) {

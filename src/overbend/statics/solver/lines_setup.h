@@ -31,13 +31,13 @@ struct LinesAtRest {
   LinesRest rest;
 };
 
+/// What the mesh of a line is made for: pipe by what it has to show on the bed, others by the rule of cables.
+CableMesh wanted_mesh(const Model& model, const FreeLineDescription& line, const CableParts& parts);
+
 /// A state with the shapes of the first guess, at rest at `time`.
 SystemState start_of(const LinesSetup& setup, double time);
 
 /// What stands around lines at rest: the vessel in a pose, ends where it or the ground has them.
 SurroundingsAt resting_surroundings(const VesselPose& pose, const std::vector<Attachment>& attachments);
-
-/// Mean place of an end, W [m].
-Vec3 end_place(const Model& model, const LineEndDescription& end);
 
 }  // namespace overbend

@@ -13,10 +13,6 @@ std::size_t to_size(int i) {
   return static_cast<std::size_t>(i);
 }
 
-double length_of(const FreeLineDescription& line) {
-  return CableParts{line.segments, line.points}.length();
-}
-
 std::size_t index_of(const std::vector<FreeLineDescription>& lines, const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find(lines, name, &FreeLineDescription::name) - lines.begin());
 }
@@ -66,7 +62,7 @@ Vec3 turned_upwards(double kink) {
 LiftPosition drawn_position(const Description& description) {
   LiftPosition position;
   for (const FreeLineDescription& line : description.lines) {
-    position.lengths.push_back(length_of(line));
+    position.lengths.push_back(unstressed_length(line));
     position.tensions.emplace_back();
   }
   return position;

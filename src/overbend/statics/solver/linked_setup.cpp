@@ -12,10 +12,6 @@ std::size_t to_size(int i) {
   return static_cast<std::size_t>(i);
 }
 
-double length_of(const FreeLineDescription& line) {
-  return CableParts{line.segments, line.points}.length();
-}
-
 std::size_t index_of(const std::vector<FreeLineDescription>& lines, const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find(lines, name, &FreeLineDescription::name) - lines.begin());
 }
@@ -82,13 +78,6 @@ class LinkedSetup {
     return {line.segments, line.points, places_of_others(line.name)};
   }
 
-  /// Pipe by what it has to show on the bed, others by the rule of cables.
-  CableMesh mesh_of(const FreeLineDescription& line, const CableParts& parts) const {
-    CableMesh mesh{std::nullopt, line.element, 0.0, {}};
-    if (!mesh.element && parts.has_pipe()) mesh.element = pipe_element(model_, parts);
-    return mesh;
-  }
-
   /// Straight from the end that is held, or from where it starts: along the bed, or level where it is held above.
   void add_lying(std::size_t i) {
     const FreeLineDescription& line = lines_[i];
@@ -107,8 +96,8 @@ class LinkedSetup {
     way.normalize();
     const double length = parts.length();
     const Vec3 other = place + sense * length * way;
-    Line& made = put_line(
-        i, cable_line(model_, parts, mesh_of(line, parts), first_free ? other : place, first_free ? place : other));
+    Line& made = put_line(i, cable_line(model_, parts, wanted_mesh(model_, line, parts), first_free ? other : place,
+                                        first_free ? place : other));
     const bool lies = held.kind == LineEndKind::bed || held.kind == LineEndKind::free;
     setup_.start[to_size(setup_.lines[i])] = lies ? lying_shape(model_, made, place, way, first_free ? length : 0.0)
                                                   : level_shape(made, place, way, first_free ? length : 0.0);
@@ -119,9 +108,10 @@ class LinkedSetup {
     const FreeLineDescription& line = lines_[i];
     CableParts parts = parts_of(line);
     const Vec3 first = end_point(line.first), second = end_point(line.second);
-    if (!parts.has_pipe() && is_linked(line)) lengthen(parts, slack_length(length_of(line), (second - first).norm()));
+    if (!parts.has_pipe() && is_linked(line))
+      lengthen(parts, slack_length(unstressed_length(line), (second - first).norm()));
     const CableStart start = cable_start(model_, parts, first, second);
-    CableMesh mesh = mesh_of(line, parts);
+    CableMesh mesh = wanted_mesh(model_, line, parts);
     mesh.touchdown = start.touchdown();
     Line& made = put_line(i, cable_line(model_, parts, mesh, first, second));
     setup_.start[to_size(setup_.lines[i])] = start.shape(made.mesh);
@@ -132,18 +122,14 @@ class LinkedSetup {
     const FreeLineDescription& line = lines_[i];
     Wire wire;
     wire.name = line.name;
-    double compliance = 0.0;
-    for (const LineSegmentDescription& segment : line.segments) {
-      compliance += segment.length.value() / segment.type.axial_stiffness;
-    }
     const auto put_end = [&](const LineEndDescription& end, int& body, Vec3& place) {
       body = body_of(end);
       place = body == kGround ? end_point(end) : end.kind == LineEndKind::line ? Vec3(Vec3::Zero()) : end.at;
     };
     put_end(line.first, wire.first_body, wire.first);
     put_end(line.second, wire.second_body, wire.second);
-    wire.length = slack_length(length_of(line), (end_point(line.second) - end_point(line.first)).norm());
-    wire.axial_stiffness = length_of(line) / compliance;
+    wire.length = slack_length(unstressed_length(line), (end_point(line.second) - end_point(line.first)).norm());
+    wire.axial_stiffness = axial_stiffness(line);
     setup_.wires[i] = static_cast<int>(setup_.system.wires.size());
     setup_.system.wires.push_back(wire);
   }

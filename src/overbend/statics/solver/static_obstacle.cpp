@@ -1,6 +1,7 @@
 #include "statics/solver/static_obstacle.h"
 
 #include "model/lay_stage.h"
+#include "model/pipe_attachments.h"
 #include "model/vessel/station.h"
 #include "statics/solver/static_start.h"
 
@@ -22,6 +23,32 @@ std::optional<StaticFailure> bent_route_obstacle(const Description& description)
   return std::nullopt;
 }
 
+/// Lines beside the pipe: straight wires from the pipe to what has its place.
+std::optional<StaticFailure> lines_obstacle(const Description& description) {
+  for (const FreeLineDescription& line : description.lines) {
+    const bool first = is_on_pipe(description, line.first), second = is_on_pipe(description, line.second);
+    if (!first && !second) {
+      return StaticFailure{"a line beside the pipe that is not on it cannot be solved yet", line.name,
+                           "give the pipe and that line in models of their own", true, "lines"};
+    }
+    const LineEndDescription& far = first ? line.second : line.first;
+    if ((first && second) || far.kind == LineEndKind::line || far.kind == LineEndKind::free) {
+      return StaticFailure{"a line on the pipe is held by nothing that has its place", line.name,
+                           "its other end has to be fixed, on the bed, in the water or on the vessel", true, "lines"};
+    }
+    if (!is_weightless(line) || has_pipe_section(line)) {
+      return StaticFailure{"a line with weight on the pipe that is laid cannot be solved yet", line.name,
+                           "give it a type whose weight_in_air and weight_submerged are 0", true, "lines"};
+    }
+    const bool floats = description.vessel.coupled || has_station(description) || description.vessel.hydrostatics;
+    if (far.kind == LineEndKind::body && floats) {
+      return StaticFailure{"a line between the pipe and a hull that floats cannot be solved yet", line.name,
+                           "give vessel.motion without moorings, or an end that is fixed", true, "lines"};
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> pipe_obstacle(const Description& description, const std::string& what) {
@@ -33,10 +60,7 @@ std::optional<StaticFailure> static_obstacle(const Description& description) {
   if (!description.has_pipe) {
     return obstacle("pipe", "the model has no pipe", "this analysis is that of a pipe");
   }
-  if (!description.lines.empty()) {
-    return obstacle("lines", "lines beside a pipe cannot be solved yet",
-                    "give the pipe and the lines in models of their own");
-  }
+  if (std::optional<StaticFailure> failure = lines_obstacle(description)) return failure;
   const bool trimmed = description.vessel.coupled && description.vessel.coupled->ballast == Ballast::trim;
   if (!has_station(description) && !trimmed && (description.vessel.coupled || description.vessel.hydrostatics)) {
     return obstacle(

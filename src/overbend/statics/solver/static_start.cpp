@@ -11,6 +11,7 @@
 #include "model/site/bed_shape.h"
 
 #include "model/lay_stage.h"
+#include "model/pipe_attachments.h"
 #include "model/site/bed_shape.h"
 #include "statics/equations/touchdown.h"
 #include "statics/initial_shape/stage_shape.h"
@@ -159,6 +160,11 @@ EquilibriumTarget wanted_of(const Description& description) {
 
 namespace {
 
+/// With which the plain pipe hangs at all; what is fixed to it may carry it at less, which the equilibrium shows [N].
+double least_tension(const Model& model, const LayPlane& plane, double bed_z) {
+  return pipe_attachments(model.description).empty() ? hanging_weight(model, plane, bed_z) : 0.0;
+}
+
 /// A tension that alone yields the pipe: laws of yielding steel cover bending, axially the rod stays elastic.
 std::optional<StaticFailure> pulled_beyond_yield(const Model& model) {
   const Section& section = model.sections[static_cast<std::size_t>(model.section_at(0.0))];
@@ -202,7 +208,7 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
   start.failure = impossible(model, plane);
   if (start.failure) return start;
   if (has_cable(d)) return stage_start(model, plane, std::move(start));
-  const double least = hanging_weight(model, plane, highest_bed(plane));
+  const double least = least_tension(model, plane, highest_bed(plane));
   start.target = wanted_of(d);
   const bool anchored = start.target.kind == EquilibriumTarget::Kind::anchor_distance;
   const double tension = anchored ? tension_for_anchor(model, plane) : start.target.value;
@@ -217,7 +223,7 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
   }
   // On a slope the depth where the pipe lands decides.
   const double landing_z = start.shape.z[touchdown_index(start.shape)];
-  if (const double needed = hanging_weight(model, plane, landing_z); !anchored && tension <= needed) {
+  if (const double needed = least_tension(model, plane, landing_z); !anchored && tension <= needed) {
     start.failure = too_little_tension(tension, needed);
     return start;
   }
@@ -252,7 +258,7 @@ StartingPoint point_beside(const Model& model, const LayPlane& plane, const Stat
   if (start.failure) return start;
   start.target = wanted_of(d);
   if (start.target.kind == EquilibriumTarget::Kind::top_tension) {
-    const double least = hanging_weight(model, plane, highest_bed(plane));
+    const double least = least_tension(model, plane, highest_bed(plane));
     if (start.target.value <= least) {
       start.failure = too_little_tension(start.target.value, least);
       return start;

@@ -429,9 +429,32 @@ bool follow_softly(StaticCase& at) {
   return run_newton(at, soft, nearly(at), "softened") && harden_in_steps(at);
 }
 
-bool solve_elastic(StaticCase& at, const LayShape& shape) {
+namespace {
+
+bool solve_by_ways(StaticCase& at, const LayShape& shape) {
   Resort resort;
   return try_ways(at, shape, resort) || resort.take(at);
+}
+
+/// The bare pipe first; what is fixed to it then pulls more and more, at first very little: a wire may be much too
+/// short for where the bare pipe is.
+bool attach_in_steps(StaticCase& at, const LayShape& shape) {
+  ease(at, [](Continuation& c) { c.attached = 0.0; });
+  const bool solved = solve_by_ways(at, shape) && follow_in_steps(at, "clumps, buoys and wires in steps", Steps{},
+                                                                  [](double reached, Continuation& c) {
+                                                                    c.attached = reached * reached * reached;
+                                                                  });
+  ease(at, [](Continuation& c) { c.attached = 1.0; });
+  return solved && carried(at);
+}
+
+}  // namespace
+
+bool solve_elastic(StaticCase& at, const LayShape& shape) {
+  const bool attached = !at.system.line().points.empty() || !at.system.line().wires.empty();
+  if (attached && attach_in_steps(at, shape)) return true;
+  at.least_found = 0.0;
+  return solve_by_ways(at, shape);
 }
 
 namespace {

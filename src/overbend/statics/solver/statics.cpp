@@ -8,6 +8,7 @@
 
 #include "base/shown_unit.h"
 #include "model/lay_stage.h"
+#include "model/pipe_attachments.h"
 #include "statics/equations/bed_contacts.h"
 #include "statics/equations/touchdown.h"
 #include "statics/solver/anchored_lay.h"
@@ -40,11 +41,14 @@ bool mesh_fits(const Model& model, const StaticSolution& start) {
     const double middle = mesh.total_length() - 0.5 * (mesh.s[e] + mesh.s[e + 1]);
     if (mesh.section[e] != model.section_at(middle)) return false;
   }
-  return std::all_of(model.spans.begin(), model.spans.end(), [&](const SectionSpan& span) {
-    const double end = mesh.total_length() - span.to;
-    const auto node = std::lower_bound(mesh.s.begin(), mesh.s.end(), end - 1e-6);
-    return end < 0.5 || std::abs(*node - end) < 1e-6;
-  });
+  const auto node_there = [&](double from_top) {
+    const double s = mesh.total_length() - from_top;
+    const auto node = std::lower_bound(mesh.s.begin(), mesh.s.end(), s - 1e-6);
+    return s < 0.5 || std::abs(*node - s) < 1e-6;
+  };
+  return std::ranges::all_of(model.spans, [&](const SectionSpan& span) { return node_there(span.to); }) &&
+         std::ranges::all_of(pipe_attachments(model.description),
+                             [&](const PipeAttachment& attached) { return node_there(attached.from_top); });
 }
 
 bool solve_from_shape(StaticCase& at, const LayShape& shape) {
@@ -78,7 +82,7 @@ MeshZones zones_of(const StaticCase& at, const MeshZones& built, const std::opti
   zones.last_support = std::max(zones.last_support, support_end(at.system));
   const bool dragged = is_dragged(at.model.description);
   if (!dragged) zones.bottom_tension = at.state.far_force;
-  if (dragged || at.model.seabed.surface.shape() != nullptr) {
+  if (dragged || may_span(at.model)) {
     zones.bed_edges = contact_edges(at.system, bed_contacts(at.system, at.state));
   }
   return zones;

@@ -1,0 +1,112 @@
+#include "statics/recovery/recovery_attachments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/shown_unit.h"
+#include "model/pipe_attachments.h"
+
+namespace overbend {
+namespace {
+
+using Vec3Map = Eigen::Map<const Vec3>;
+
+AttachedPlace recover_place(const StaticSystem& system, const LineState& state, const std::vector<CutForces>& cuts,
+                            int node) {
+  const auto i = static_cast<std::size_t>(node);
+  const Vec3 tangent = Vec3Map(state.q.data() + 6 * i + 3).normalized(), up = up_across(tangent);
+  const Vec3 after = cuts[i].force, before = after - attached_force(system, state, node);
+  AttachedPlace at;
+  at.from_top = system.mesh().total_length() - system.mesh().s[i];
+  at.p_W = Vec3Map(state.q.data() + 6 * i);
+  const Vec3 shoe = point_from_ramp(system.model(), system.model().mean_pose, Vec3::Zero());
+  at.astern = (at.p_W - shoe).dot(system.plane().astern_W);
+  at.inclination = std::asin(std::clamp(tangent.z(), -1.0, 1.0));
+  at.moment = cuts[i].moment.dot(tangent.cross(up));
+  at.tension_before = before.dot(tangent);
+  at.tension_after = after.dot(tangent);
+  at.shear_before = -before.dot(up);
+  at.shear_after = -after.dot(up);
+  return at;
+}
+
+std::optional<double> breaking_load(const FreeLineDescription& line) {
+  std::optional<double> least;
+  for (const LineSegmentDescription& segment : line.segments) {
+    const std::optional<double>& load = segment.type.breaking_load;
+    if (load) least = std::min(least.value_or(*load), *load);
+  }
+  return least;
+}
+
+PipeWireResult recover_wire(const FreeLineDescription& line, const LineWire& wire, const WirePull& pull,
+                            const Vec3& astern) {
+  PipeWireResult out;
+  out.name = line.name;
+  out.length = wire.wire.length;
+  out.tension_upper = out.tension_lower = pull.tension;
+  const Vec3 along = pull.second - pull.first;
+  out.from_vertical_upper = out.from_vertical_lower = std::atan2(along.head<2>().norm(), std::abs(along.z()));
+  out.force = -pull.force;
+  out.force_astern = out.force.dot(astern);
+  out.far_W = pull.first;
+  if (const auto load = breaking_load(line)) out.utilisation = pull.tension / *load;
+  return out;
+}
+
+}  // namespace
+
+Vec3 attached_force(const StaticSystem& system, const LineState& state, std::optional<int> node) {
+  Vec3 sum = Vec3::Zero();
+  for (const LinePoint& point : system.line().points) {
+    if (!node || point.node == *node) sum += point_force(point, system.environment(), state.q.data());
+  }
+  for (std::size_t i = 0; i < system.line().wires.size(); ++i) {
+    if (!node || system.line().wires[i].node == *node) sum -= system.wire_pulls()[i].force;
+  }
+  return sum;
+}
+
+bool holds_something(const StaticSystem& system, int node) {
+  return std::ranges::any_of(system.line().points, [node](const LinePoint& point) { return point.node == node; }) ||
+         std::ranges::any_of(system.line().wires, [node](const LineWire& wire) { return wire.node == node; });
+}
+
+void recover_attachments(StaticResults& results, const StaticSystem& system, const LineState& state,
+                         const std::vector<CutForces>& cuts) {
+  const Line& line = system.line();
+  for (const PipeAttachment& attached : pipe_attachments(system.model().description)) {
+    if (attached.from_top >= line.mesh.total_length()) continue;
+    if (attached.point != nullptr) {
+      const LinePoint& point = line.points[results.points.size()];
+      results.points.push_back({attached.point->name, recover_place(system, state, cuts, point.node),
+                                point_force(point, system.environment(), state.q.data())});
+    } else {
+      const std::size_t i = results.wires.size();
+      results.wires.push_back(
+          recover_wire(*attached.line, line.wires[i], system.wire_pulls()[i], system.plane().astern_W));
+      results.wires.back().at = recover_place(system, state, cuts, line.wires[i].node);
+    }
+  }
+}
+
+void warn_of_attachments(StaticResults& results) {
+  for (const PipeWireResult& wire : results.wires) {
+    if (wire.tension_upper <= 0.0) {
+      results.findings.push_back(
+          Finding{FindingCode::davit_slack, fmt::format("line \"{}\": slack, it does not hold the pipe", wire.name)}.on(
+              "line " + wire.name));
+    }
+    if (wire.utilisation.value_or(0.0) <= 1.0) continue;
+    results.findings.push_back(Finding{FindingCode::breaking_load_exceeded,
+                                       fmt::format("line \"{}\": its tension, {}, is {:.2f} times its "
+                                                   "breaking load",
+                                                   wire.name, shown(wire.tension_upper, "N", 1), *wire.utilisation)}
+                                   .on("line " + wire.name)
+                                   .with("tension", wire.tension_upper, "N"));
+  }
+}
+
+}  // namespace overbend
