@@ -17,8 +17,8 @@ std::string end_line(const char* name, const LineEndResult& end, const Spread* i
 
 /// `in_time`: null without a run.
 std::string line_text(const LineResult& line, const LineDynamics* in_time) {
-  std::string text = fmt::format("  {}: {}, {} elements, {} on the bed\n", line.name, shown(line.length, "m", 2),
-                                 line.elements, shown(line.on_bed, "m", 1));
+  std::string text = fmt::format("  {}: {}, {} element{}, {} on the bed\n", line.name, shown(line.length, "m", 2),
+                                 line.elements, line.elements == 1 ? "" : "s", shown(line.on_bed, "m", 1));
   text += end_line("first end", line.first, in_time != nullptr ? &in_time->first_tension : nullptr);
   text += end_line("second end", line.second, in_time != nullptr ? &in_time->second_tension : nullptr);
   if (!line.utilisation) return text;

@@ -75,6 +75,15 @@ void fill_tank(SupportsDescription& supports, const std::string& name, const Lay
   }
 }
 
+/// A lift whose last stage is that of the name: those before it lead there.
+Description up_to(Description d, const std::string& name) {
+  std::vector<LayStageDescription>& stages = d.operation.lay.stages;
+  const std::vector<LayStageDescription> named = lay_stages(d);
+  const auto last = std::ranges::find(named, name, &LayStageDescription::name);
+  if (last != named.end()) stages.resize(static_cast<std::size_t>(last - named.begin()) + 1);
+  return d;
+}
+
 }  // namespace
 
 std::vector<LayStageDescription> lay_stages(const Description& description) {
@@ -96,6 +105,7 @@ Description at_stage(const Description& description, const LayStageDescription& 
   Description d = description;
   const LayOperationDescription& lay = d.operation.lay;
   d.stage = stage;
+  if (d.operation.type == OperationType::lift) return up_to(std::move(d), stage.name);
   if (stage.tension) d.tensioner.tension = stage.tension;
   if (cable_at_top(d)) {
     d.tensioner.guide = Guide::pinned;

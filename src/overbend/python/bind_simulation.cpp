@@ -146,12 +146,18 @@ py::dict mooring_of(const SimulationHandle& handle, std::size_t line) {
 py::dict line_of(const SimulationHandle& handle, std::size_t line) {
   const Simulation& simulation = handle.simulation();
   checked_index(line, simulation.lines().size(), "lines");
-  const std::size_t at = first_line(simulation.system(), LineRole::free) + line;
+  const FollowedLine& at = simulation.lines()[line];
   const Instant now = simulation.now();
   py::dict told;
   told["first_tension"] = end_tension(*now.assembly, *now.state, at, LineEnd::first);
   told["second_tension"] = end_tension(*now.assembly, *now.state, at, LineEnd::last);
   return told;
+}
+
+std::vector<std::string> line_names(const Simulation& simulation) {
+  std::vector<std::string> names;
+  for (const FollowedLine& line : simulation.lines()) names.push_back(line.name);
+  return names;
 }
 
 /// The tensioner, or the winch of a mooring line of elements.
@@ -287,7 +293,7 @@ void add_simulation(py::module_& module) {
       .def_property_readonly("wall_time", [](const Handle& handle) { return handle->simulation().report().wall_time; })
       .def_property_readonly("elevation", [](const Handle& handle) { return handle->simulation().now().elevation; })
       .def_property_readonly("mooring_names", [](const Handle& handle) { return handle->simulation().moorings(); })
-      .def_property_readonly("line_names", [](const Handle& handle) { return handle->simulation().lines(); })
+      .def_property_readonly("line_names", [](const Handle& handle) { return line_names(handle->simulation()); })
       .def_property_readonly("notes",
                              [](const Handle& handle) {
                                const Simulation& simulation = handle->simulation();

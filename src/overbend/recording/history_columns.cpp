@@ -130,10 +130,11 @@ void add_mooring(Columns& columns, const std::string& name, std::size_t line) {
       {{"mooring/" + name + "/anchor_tension", "N", "Tension at the anchor", true, false}, tension(LineEnd::first)});
 }
 
-void add_line(Columns& columns, const std::string& name, std::size_t line) {
+void add_line(Columns& columns, const FollowedLine& line) {
   const auto tension = [line](LineEnd end) {
     return [line, end](const RowSource& row) { return end_tension(*row.now.assembly, *row.now.state, line, end); };
   };
+  const std::string& name = line.name;
   columns.push_back(
       {{"line/" + name + "/first_tension", "N", "Tension at the first end, negative where it is pushed", true, true},
        tension(LineEnd::first)});
@@ -179,7 +180,7 @@ std::vector<RecordedColumn> recorded_columns(const RecordedObjects& objects) {
   for (std::size_t i = 0; i < objects.sections.size(); ++i) {
     add_section(columns, objects.sections[i], i, objects.astern_W);
   }
-  for (std::size_t i = 0; i < objects.lines.size(); ++i) add_line(columns, objects.lines[i], objects.first_line + i);
+  for (const FollowedLine& line : objects.lines) add_line(columns, line);
   return columns;
 }
 

@@ -9,6 +9,7 @@
 #include "model/vessel/supports.h"
 #include "recording/thrust_watch.h"
 #include "recording/vessel_watch.h"
+#include "system/followed_line.h"
 
 namespace overbend {
 
@@ -36,8 +37,7 @@ struct RecordedObjects {
   std::vector<std::string> moorings{};  ///< Names of the mooring lines.
   std::vector<std::string> sections{};  ///< Of the stinger, that turn in time.
   Vec3 astern_W = Vec3::UnitX();        ///< Horizontal unit vector along which forces of their hinges are given.
-  std::vector<std::string> lines{};     ///< Names of the lines that stand by themselves.
-  std::size_t first_line = 0;           ///< Where these begin among the lines of the system.
+  std::vector<FollowedLine> lines{};    ///< That stand by themselves, or on the pipe.
 };
 
 /// The columns of a run; the first is time.

@@ -5,20 +5,15 @@
 #include "numerics/running_statistics.h"
 #include "results/dynamic_results.h"
 #include "results/line_results.h"
-#include "system/assembly.h"
+#include "system/followed_line.h"
 
 namespace overbend {
-
-/// The part along a line of the force that holds an end, negative where it pushes: a line that is stiff bears some
-/// compression. Not the force's size with a sign: at a clamped end that bears a weight across the line, it would leap
-/// from one side of zero to the other with every small push [N].
-double end_tension(const Assembly& assembly, const SystemState& state, std::size_t line, LineEnd end);
 
 /// Counts from t = 0 on.
 class LineRecorder {
  public:
-  /// The model's own lines, `count` of them; they stand in the system from `first` on. The model must outlive it.
-  LineRecorder(const Model& model, const System& system, std::size_t first, std::size_t count);
+  /// The model's own lines. The model must outlive it.
+  LineRecorder(const Model& model, const System& system, const std::vector<FollowedLine>& lines);
 
   /// An accepted step. Nothing is allocated.
   void add(const SystemState& state, const Assembly& assembly);
@@ -34,15 +29,16 @@ class LineRecorder {
 
  private:
   struct Followed {
+    FollowedLine line;
+    std::vector<double> arc;  ///< Unstressed length to the nodes [m].
     double least_first = 1e300, most_first = -1e300, least_last = 1e300, most_last = -1e300;  ///< [N]
     std::vector<double> least, most;  ///< Tension at the nodes [N].
+    std::vector<double> moment;       ///< Largest bending moment there; empty where the line does not bend [N m].
     RunningStatistics ends{2};        ///< Of the tensions at the ends, every step by its length.
   };
-  std::optional<double> utilisation(std::size_t line) const;
+  std::optional<double> utilisation(const Followed& line) const;
 
   const Model* model_;
-  std::size_t first_;
-  std::vector<const std::vector<double>*> arc_;  ///< Unstressed length to the nodes, line by line [m].
   std::vector<Followed> lines_;
 };
 

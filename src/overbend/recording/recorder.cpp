@@ -26,8 +26,7 @@ RecordedObjects objects_of(const Model& model, const Simulation& simulation, boo
           simulation.moorings(),
           pipe ? sections_in_time(model) : std::vector<std::string>{},
           astern_direction(model.mean_pose),
-          simulation.lines(),
-          first_line(simulation.system(), LineRole::free)};
+          simulation.lines()};
 }
 
 }  // namespace
@@ -39,7 +38,7 @@ Recorder::Recorder(const Model& model, const StaticResults& statics, const Simul
       sink_(&sink),
       moorings_(model.description.moorings, simulation.moorings()),
       thrust_(simulation.hull()),
-      lines_(model, simulation.system(), first_line(simulation.system(), LineRole::free), simulation.lines().size()),
+      lines_(model, simulation.system(), simulation.lines()),
       snapshot_stride_(snapshot_stride(simulation.options())) {
   const bool has_pipe = find_laid_pipe(simulation.system()).has_value();
   if (has_pipe) pipe_.emplace(model, statics, simulation);
@@ -104,9 +103,8 @@ double Recorder::top_tension() const {
   for (std::size_t i = 0; i < simulation_->moorings().size(); ++i) {
     largest = std::max(largest, mooring_tension(*now.assembly, *now.state, i, LineEnd::last));
   }
-  for (std::size_t i = 0; i < simulation_->lines().size(); ++i) {
-    largest = std::max(largest, end_tension(*now.assembly, *now.state,
-                                            first_line(simulation_->system(), LineRole::free) + i, LineEnd::last));
+  for (const FollowedLine& line : simulation_->lines()) {
+    largest = std::max(largest, end_tension(*now.assembly, *now.state, line, LineEnd::last));
   }
   return largest;
 }

@@ -83,6 +83,7 @@ struct LineDynamics {
   double least_tension = 0.0, largest_tension = 0.0;     ///< Anywhere along the line [N].
   std::optional<double> utilisation;                     ///< Largest tension over its segment's breaking load [-].
   std::vector<double> least_at_nodes, largest_at_nodes;  ///< Tension, at the nodes from the first end [N].
+  std::vector<double> moment_at_nodes;                   ///< Largest bending moment; empty where none bends [N m].
 };
 
 }  // namespace overbend

@@ -165,6 +165,7 @@ class Assembly {
   void lead_bodies(const SystemState& state);
   void evaluate_bodies(SystemState& state, const SystemState& before, const Weights& weights, bool with_tangent);
   void add_body_energy(const SystemState& state, InstantEnergy& now) const;
+  void add_wire_energy(InstantEnergy& now) const;
   void add_winch_power(const SystemState& state, InstantEnergy& now) const;
   void pay_out(const SystemState& state);
   void find_held();

@@ -67,6 +67,7 @@ InstantEnergy Assembly::energy(const SystemState& state) const {
     now.anchor_power += held_power(line, at, line.end_node(LineEnd::first));
     now.top_power += held_power(line, at, line.end_node(LineEnd::last));
   }
+  add_wire_energy(now);
   add_winch_power(state, now);
   add_body_energy(state, now);
   return now;
@@ -86,6 +87,22 @@ void Assembly::find_working_ends(const SystemState& state, std::vector<WorkingEn
     if (by_free_body) continue;
     ends[i].force = line.held_force(node);
     ends[i].power = held_power(line, state.lines[index], node);
+  }
+}
+
+/// Free bodies and lines exchange with wires what stays inside; bodies whose motion is told put it in.
+void Assembly::add_wire_energy(InstantEnergy& now) const {
+  for (std::size_t i = 0; i < wires().size(); ++i) {
+    const Wire& wire = system_->wires[i];
+    const WirePull& pull = wires()[i];
+    if (!(pull.tension > 0.0)) continue;
+    if (!wire.held_tension) now.line.strain += 0.5 * pull.tension * pull.tension * wire.length / wire.axial_stiffness;
+    const auto power = [&](int body, const Vec3& place, const Vec3& force) {
+      if (body == kGround || border_.number_of(body) >= 0) return;
+      now.top_power += force.dot(carried_at(surroundings_.bodies[static_cast<std::size_t>(body)], place));
+    };
+    power(wire.first_body, pull.first, -pull.force);
+    power(wire.second_body, pull.second, pull.force);
   }
 }
 

@@ -10,6 +10,7 @@ LineWire line_wire(const Model& model, const FreeLineDescription& line, int node
   const LineEndDescription& far = is_on_pipe(model.description, line.first) ? line.second : line.first;
   LineWire wire;
   wire.node = node;
+  wire.reversed = is_on_pipe(model.description, line.first);
   wire.wire.name = line.name;
   wire.wire.first_body = far.kind == LineEndKind::body ? 0 : kGround;
   wire.wire.first = far.kind == LineEndKind::body ? far.at : end_place(model, far);

@@ -42,6 +42,7 @@ WirePull wire_pull(const Wire& wire, const Vec3& first, const Vec3& second);
 struct LineWire {
   Wire wire;
   int node = 0;
+  bool reversed = false;  ///< That first end is the second of the line that it is in the model.
 };
 
 /// Where the first end of such a wire is, and how it moves, W.

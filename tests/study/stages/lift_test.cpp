@@ -208,6 +208,16 @@ TEST(lift, tells_a_stage_that_cannot_be_and_goes_on) {
   EXPECT_TRUE(results.stages.back().lay);
 }
 
+// Collocation of the extensible elastica and a chain of links agree on this tension.
+TEST(lift, tells_the_tension_at_a_weld) {
+  const OperationResults results = solve(read_case("TI12-closed"));
+  const LiftResults& raised = *results.stages[0].lay->lift;
+  const LiftResults& welded = *results.stages[2].lay->lift;
+  EXPECT_EQ(raised.lines[0].first.tension, 0.0);
+  EXPECT_NEAR(welded.lines[0].first.tension, 6163.69, 300.0);
+  EXPECT_NEAR(welded.lines[0].first.tension, welded.join->tension, 1.0);
+}
+
 /// The pipe of a lay as a line from where the tensioner holds it to where it ends on the bed.
 Description as_line(const Description& lay, const StaticResults& laid) {
   Description d = lay;

@@ -19,18 +19,34 @@ bool follows_snaps(const System& system) {
 
 }  // namespace
 
+std::vector<TensionWatches::Watched> TensionWatches::watched_of(const System& system) {
+  std::vector<Watched> all;
+  const int tensioners = static_cast<int>(find_tensioners(system).size());
+  for (int i = 0; i < tensioners; ++i) all.push_back({.tensioner = i});
+  if (tensioners > 0) return all;
+  for (std::size_t line = 0; line < system.lines.size(); ++line) {
+    for (const LineEnd end : {LineEnd::first, LineEnd::last}) {
+      const std::optional<std::size_t> held = find_attachment(system, line, end);
+      if (held && system.attachments[*held].hold_place) all.push_back({.line = static_cast<int>(line), .end = end});
+    }
+  }
+  for (std::size_t i = 0; i < system.wires.size(); ++i) all.push_back({.wire = static_cast<int>(i)});
+  return all;
+}
+
 TensionWatches::TensionWatches(const System& system, double time_scale)
-    : of_tensioners_(!find_tensioners(system).empty()),
+    : watched_(watched_of(system)),
       shortest_{kShortStep * time_scale, kShortStep * time_scale},
       follows_snaps_(follows_snaps(system)),
-      watches_(of_tensioners_ ? find_tensioners(system).size() : 2 * system.lines.size()) {
+      watches_(watched_.size()) {
   if (follows_snaps_) shortest_.snap = kEventStep * time_scale;
 }
 
 double TensionWatches::tension(const Assembly& assembly, std::size_t watch) const {
-  if (of_tensioners_) return assembly.tension(watch);
-  const LineEnd end = watch % 2 == 0 ? LineEnd::first : LineEnd::last;
-  return Eigen::Map<const Vec3>(assembly.line(watch / 2).end_force(end).data()).norm();
+  const Watched& of = watched_[watch];
+  if (of.tensioner >= 0) return assembly.tension(static_cast<std::size_t>(of.tensioner));
+  if (of.wire >= 0) return assembly.wires()[static_cast<std::size_t>(of.wire)].tension;
+  return Eigen::Map<const Vec3>(assembly.line(static_cast<std::size_t>(of.line)).end_force(of.end).data()).norm();
 }
 
 void TensionWatches::start(const Assembly& assembly) {

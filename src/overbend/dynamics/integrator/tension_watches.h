@@ -1,5 +1,5 @@
-/// The tensions whose bends the steps of a run follow: those of the tensioners where there are some, else those at both
-/// ends of every line.
+/// The tensions whose bends the steps of a run follow: those of the tensioners where there are some, else those at the
+/// ends of every line, free ones apart, and of wires.
 #pragma once
 
 #include <vector>
@@ -30,10 +30,17 @@ class TensionWatches {
  private:
   double tension(const Assembly& assembly, std::size_t watch) const;
 
-  bool of_tensioners_;
+  /// A tensioner by its number, or an end of a line, or a wire.
+  struct Watched {
+    int tensioner = -1, line = -1, wire = -1;
+    LineEnd end = LineEnd::first;
+  };
+  static std::vector<Watched> watched_of(const System& system);
+
+  std::vector<Watched> watched_;
   ShortestSteps shortest_;
   bool follows_snaps_;
-  std::vector<TensionWatch> watches_;  ///< One of each tensioner, or two of every line.
+  std::vector<TensionWatch> watches_;  ///< One of each.
 };
 
 }  // namespace overbend

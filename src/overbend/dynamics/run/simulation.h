@@ -64,10 +64,10 @@ class Simulation {
   const System& system() const { return setup_.system; }
   /// Those of the supports, in their order, whichever body carries them.
   const std::vector<BodyRoller>& rollers() const { return setup_.rollers; }
-  /// Names of the mooring lines, which follow the pipe among the lines of the system, and of the lines that stand by
-  /// themselves, which follow these.
+  /// Names of the mooring lines, which follow the pipe among the lines of the system, and the lines that stand by
+  /// themselves, or on the pipe.
   const std::vector<std::string>& moorings() const { return setup_.mooring_names; }
-  const std::vector<std::string>& lines() const { return setup_.line_names; }
+  const std::vector<FollowedLine>& lines() const { return setup_.lines; }
   const DynamicOptions& options() const { return options_; }
   /// The way on which the vessel is moved ahead; null where it is not.
   const MoveProfile* move() const { return setup_.move ? &*setup_.move : nullptr; }

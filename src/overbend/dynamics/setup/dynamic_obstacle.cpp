@@ -119,6 +119,18 @@ std::optional<StaticFailure> dragging_obstacle(const Description& d) {
                  "overbend static has its stages; in time friction would have to follow the motion of the winch");
 }
 
+/// A straight wire has no attachment of its own that could swing.
+std::optional<StaticFailure> wire_obstacle(const Description& d) {
+  for (const FreeLineDescription& line : d.lines) {
+    const bool linked = d.has_pipe || std::ranges::any_of(d.lines, is_linked);
+    const bool swings = line.first.period > 0.0 || line.second.period > 0.0;
+    if (!linked || !swings || !is_weightless(line) || has_pipe_section(line)) continue;
+    return refused("lines", "a wire without weight whose end moves by itself cannot be run in time yet",
+                   "line '" + line.name + "': give its type a weight, or its end to the vessel");
+  }
+  return std::nullopt;
+}
+
 /// A motion that cannot be followed over the whole run.
 std::optional<StaticFailure> motion_obstacle(const Model& model) {
   const Description& d = model.description;
@@ -160,10 +172,7 @@ std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
     if (std::optional<StaticFailure> obstacle = static_obstacle(d)) return obstacle;
     if (std::optional<StaticFailure> obstacle = dragging_obstacle(d)) return obstacle;
   }
-  if (!d.has_pipe && std::ranges::any_of(d.lines, is_linked)) {
-    return refused("lines", "lines that hold each other cannot be run in time yet",
-                   "static analysis brings them to rest, stage by stage");
-  }
+  if (std::optional<StaticFailure> obstacle = wire_obstacle(d)) return obstacle;
   if (!d.dynamics) return without_dynamics();
   if (std::optional<StaticFailure> obstacle = motion_obstacle(model)) return obstacle;
   if (std::optional<StaticFailure> obstacle = sea_obstacle(d.environment.waves)) return obstacle;

@@ -7,11 +7,13 @@
 
 namespace overbend {
 
-std::vector<EndSwing> end_swings(const std::vector<FreeLineDescription>& lines, std::size_t first) {
+std::vector<EndSwing> end_swings(const std::vector<FreeLineDescription>& lines, const std::vector<int>& of_system,
+                                 std::size_t first) {
   std::vector<EndSwing> swings;
-  std::size_t attachment = first;
-  for (const FreeLineDescription& line : lines) {
-    for (const LineEndDescription* end : {&line.first, &line.second}) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (of_system[i] < 0) continue;
+    std::size_t attachment = first + 2 * static_cast<std::size_t>(of_system[i]);
+    for (const LineEndDescription* end : {&lines[i].first, &lines[i].second}) {
       if (end->kind != LineEndKind::body && end->period > 0.0) {
         swings.push_back({attachment, end->amplitude, 2.0 * std::numbers::pi / end->period, end->phase});
       }

@@ -16,8 +16,10 @@ struct EndSwing {
   double phase = 0.0;             ///< Of the sine at t = 0 [rad].
 };
 
-/// Of the ends of lines whose attachments stand from `first` on, two for every line.
-std::vector<EndSwing> end_swings(const std::vector<FreeLineDescription>& lines, std::size_t first);
+/// Of the ends of lines whose attachments stand from `first` on, two for every line of the system; `of_system` says
+/// which each line is there.
+std::vector<EndSwing> end_swings(const std::vector<FreeLineDescription>& lines, const std::vector<int>& of_system,
+                                 std::size_t first);
 
 /// Adds the motion to ends that stand in their places, brought in over `build_up` seconds before t = 0.
 void swing_ends(const std::vector<EndSwing>& swings, double time, double build_up, std::vector<EndMotion>& ends);

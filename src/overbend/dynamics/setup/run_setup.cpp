@@ -29,18 +29,35 @@ void add_moorings(const Model& model, const StaticSolution& start, RunSetup& set
   follow_programs(*start.moorings, winch_programs(start), setup.system);
 }
 
-/// Lines that stand by themselves, as they rest.
+/// Wires on the pipe that is laid.
+void follow_wires(const System& system, RunSetup& setup) {
+  const std::optional<LaidPipe> pipe = find_laid_pipe(system);
+  if (!pipe) return;
+  const std::vector<LineWire>& wires = system.lines[pipe->line].wires;
+  for (std::size_t i = 0; i < wires.size(); ++i) {
+    setup.lines.push_back({wires[i].wire.name, static_cast<int>(pipe->line), static_cast<int>(i), wires[i].reversed});
+  }
+}
+
+/// Lines that stand by themselves, or on each other, as they rest.
 void add_lines(const Model& model, const StaticSolution& start, RunSetup& setup) {
+  follow_wires(setup.system, setup);
   if (!start.lines) return;
-  const System& resting = start.lines->setup.system;
+  const LinesSetup& resting = start.lines->setup;
   System& system = setup.system;
-  setup.swings = end_swings(model.description.lines, system.attachments.size());
-  for (Attachment end : resting.attachments) {
-    end.line += static_cast<int>(system.lines.size());
+  const int first = static_cast<int>(system.lines.size());
+  setup.swings = end_swings(model.description.lines, resting.lines, system.attachments.size());
+  for (Attachment end : resting.system.attachments) {
+    end.line += first;
     system.attachments.push_back(end);
   }
-  system.lines.insert(system.lines.end(), resting.lines.begin(), resting.lines.end());
-  for (const FreeLineDescription& line : model.description.lines) setup.line_names.push_back(line.name);
+  system.lines.insert(system.lines.end(), resting.system.lines.begin(), resting.system.lines.end());
+  system.bodies.insert(system.bodies.end(), resting.system.bodies.begin() + 1, resting.system.bodies.end());
+  system.wires = resting.system.wires;
+  for (std::size_t i = 0; i < resting.lines.size(); ++i) {
+    const int line = resting.lines[i] < 0 ? -1 : first + resting.lines[i];
+    setup.lines.push_back({model.description.lines[i].name, line, resting.wires[i]});
+  }
 }
 
 /// Of the balance of a hull: of its pipe, else of what keeps it in its place.
@@ -133,10 +150,11 @@ SystemState state_at_start(const RunSetup& setup, const StaticSolution& start, d
   if (pipe) shapes.push_back(start.state.q);
   shapes.insert(shapes.end(), setup.moorings.begin(), setup.moorings.end());
   const std::size_t first_line = shapes.size();
-  for (std::size_t i = 0; i < setup.line_names.size(); ++i) shapes.push_back(start.lines->state.lines[i].q);
+  const std::size_t count = start.lines ? start.lines->state.lines.size() : 0;
+  for (std::size_t i = 0; i < count; ++i) shapes.push_back(start.lines->state.lines[i].q);
   SystemState state = state_at_rest(system, shapes, time);
   if (pipe) lay_at_rest(system.lines[pipe->line], start, state.lines[pipe->line]);
-  for (std::size_t i = 0; i < setup.line_names.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     LineState& line = state.lines[first_line + i];
     if (start.lines->rest.in_bows[i]) {
       line.bed_slip = start.lines->state.lines[i].bed_slip;

@@ -12,6 +12,7 @@
 #include "mechanics/moving_vessel.h"
 #include "mechanics/sea.h"
 #include "mechanics/vessel_motion.h"
+#include "system/followed_line.h"
 
 namespace overbend {
 
@@ -24,7 +25,7 @@ struct RunSetup {
   System system;
   std::vector<BodyRoller> rollers;  ///< Of the vessel and of the stinger's sections, in the order of the supports.
   std::vector<std::string> mooring_names;
-  std::vector<std::string> line_names;     ///< Of the lines that stand by themselves, the last ones of the system.
+  std::vector<FollowedLine> lines;         ///< That stand by themselves, or on the pipe.
   LineShapes moorings;                     ///< First shapes of the mooring lines.
   std::vector<EndSwing> swings;            ///< Of ends that move by themselves.
   std::vector<double> wave_numbers_ahead;  ///< Of the terms of `motion`, where the vessel moves ahead.

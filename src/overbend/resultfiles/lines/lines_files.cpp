@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
@@ -31,6 +33,7 @@ template <class Line, class Each>
 void for_nodes_in_time(Line& line, Each each) {
   each(ResultField{"least_at_nodes", "N", "Least tension over time, at the nodes"}, line.least_at_nodes);
   each(ResultField{"largest_at_nodes", "N", "Largest tension over time, at the nodes"}, line.largest_at_nodes);
+  each(ResultField{"moment_at_nodes", "N m", "Largest bending moment over time, at the nodes"}, line.moment_at_nodes);
 }
 
 }  // namespace
@@ -89,7 +92,7 @@ void write_lines_in_time(DatasetSink& file, const std::vector<LineDynamics>& lin
     ValueWriter values{file, group};
     visit_line_in_time(lines[i], values);
     for_nodes_in_time(lines[i], [&](const ResultField& field, const std::vector<double>& tensions) {
-      file.write(group + "/" + field.name, field, tensions, {tensions.size()});
+      if (!tensions.empty()) file.write(group + "/" + field.name, field, tensions, {tensions.size()});
     });
   }
 }
@@ -101,7 +104,8 @@ std::vector<LineDynamics> read_lines_in_time(const Hdf5Reader& file) {
     ValueReader values{file, group};
     visit_line_in_time(lines.emplace_back(), values);
     for_nodes_in_time(lines.back(), [&](const ResultField& field, std::vector<double>& tensions) {
-      tensions = file.doubles(group + "/" + field.name);
+      const std::string path = group + "/" + field.name;
+      if (file.has(path)) tensions = file.doubles(path);
     });
   }
   return lines;
@@ -135,7 +139,12 @@ void add_lines_in_time(const DynamicResults& results, Json& summary) {
   if (results.lines.empty()) return;
   const SummaryStyle style;
   summary["dynamic"]["lines"] = style.rows(results.lines, [&](const LineDynamics& line) {
-    return object_of(style, [&](auto& one) { visit_line_in_time(line, one); });
+    return object_of(style, [&](auto& one) {
+      visit_line_in_time(line, one);
+      if (line.moment_at_nodes.empty()) return;
+      one(ResultField{"largest_bending_moment", "N m", "Largest bending moment along the line over time"}.summary(),
+          *std::ranges::max_element(line.moment_at_nodes));
+    });
   });
 }
 

@@ -32,11 +32,23 @@ StaticFailure unbalanced(const Model& model, const LinesRest& rest) {
           "its forces do not balance; a longer line or a finer `element` may help"};
 }
 
-/// Lines that hold each other rest together, as they are drawn.
+/// As they are drawn; at a stage of a lift by way of those before it, as far as these can be.
+std::optional<StaticFailure> bring_to_stage(LinkedLines& linked, const Description& description) {
+  if (!description.stage) return linked.bring_to(drawn_position(description));
+  LiftPosition last = drawn_position(description);
+  std::optional<StaticFailure> failure;
+  for (const LayStageDescription& stage : description.operation.lay.stages) {
+    failure = linked.bring_to(stage_position(description, stage, last));
+    if (!failure) last = linked.position();
+  }
+  return failure;
+}
+
+/// Lines that hold each other rest together.
 ModelEquilibrium solve_linked_lines(const Model& model) {
   ModelEquilibrium found;
   LinkedLines linked(model);
-  found.failure = linked.bring_to(drawn_position(model.description));
+  found.failure = bring_to_stage(linked, model.description);
   if (found.failure) return found;
   found.assumptions = lift_assumptions(model);
   found.findings = model_findings(model);
@@ -44,7 +56,8 @@ ModelEquilibrium solve_linked_lines(const Model& model) {
   found.lift = recover_lift(model, linked, nullptr);
   warn_of_lift(model, *found.lift, found.findings);
   found.solution.emplace();
-  found.solution->pose = model.mean_pose;
+  found.solution->pose = linked.vessel_pose();
+  found.solution->lines = std::make_shared<LinesAtRest>(linked.at_rest());
   return found;
 }
 
@@ -75,7 +88,11 @@ ModelEquilibrium solve_lines(const Model& model) {
 ModelEquilibrium solve_equilibrium(Model& model, const StaticSolution* start, const LinePast& past) {
   const Description& d = model.description;
   if (d.has_pipe) return solve_lay(model, start, past);
-  if (!d.lines.empty()) return solve_lines(model);
+  if (!d.lines.empty()) {
+    ModelEquilibrium found = solve_lines(model);
+    if (found.solution) model.mean_pose = found.solution->pose;
+    return found;
+  }
   if (has_station(d)) return solve_moored_hull(model);
   return solve_lay(model, start, past);  // refuses a model without anything
 }

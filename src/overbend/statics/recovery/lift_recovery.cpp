@@ -138,12 +138,18 @@ void find_stresses(const Model& model, const FreeLineDescription& description, c
   }
 }
 
-LiftedEnd end_of(const Solved& line, const LineEndDescription& end, LineEnd which) {
+/// Whether anything holds an end; a weld holds one that was free.
+bool is_held(const System& system, std::size_t line, LineEnd which) {
+  const std::optional<std::size_t> held = find_attachment(system, line, which);
+  return held && system.attachments[*held].hold_place;
+}
+
+LiftedEnd end_of(const Solved& line, bool held, LineEnd which) {
   const std::size_t node = to_size(line.assembly.end_node(which));
   const Vec3 force = Vec3Map(line.assembly.end_force(which).data());
   const double outwards = which == LineEnd::last ? 1.0 : -1.0;
   LiftedEnd out;
-  out.free = end.kind == LineEndKind::free;
+  out.free = !held;
   out.at = line.at_node(node);
   if (out.free) return out;
   const Vec3 tangent = line.tangent(node);
@@ -188,8 +194,9 @@ LiftedLine recover_line(const Model& model, const LinkedLines& lines, std::size_
   const Solved line{lines.assembly().line(to_size(index)), lines.state().lines[to_size(index)].q};
   LiftedLine out;
   out.name = description.name;
-  out.first = end_of(line, description.first, LineEnd::first);
-  out.second = end_of(line, description.second, LineEnd::last);
+  const System& system = lines.setup().system;
+  out.first = end_of(line, is_held(system, to_size(index), LineEnd::first), LineEnd::first);
+  out.second = end_of(line, is_held(system, to_size(index), LineEnd::last), LineEnd::last);
   for (std::size_t node = 0; node < line.line().mesh.s.size(); ++node) out.nodes.push_back(node_of(line, node));
   const std::vector<bool> kinks = kinks_of(lines.setup().system, index, out.nodes.size());
   out.sagging = largest(line, out.nodes, kinks, [](const LiftedNode& node) { return node.sagging; });
@@ -339,10 +346,9 @@ std::vector<LineResult> recover_linked_lines(const Model& model, const LinkedLin
     LineResult& line = results.back();
     line.residual = lines.residual();
     line.iterations = lines.iterations();
-    const FreeLineDescription& description = model.description.lines[i];
-    for (const auto& [end, result] :
-         {std::pair{&description.first, &line.first}, {&description.second, &line.second}}) {
-      if (end->kind == LineEndKind::free) result->tension = result->force.setZero().norm();
+    for (const auto& [which, result] : {std::pair{LineEnd::first, &line.first}, {LineEnd::last, &line.second}}) {
+      if (index < 0 || is_held(lines.setup().system, to_size(index), which)) continue;
+      result->tension = result->force.setZero().norm();
     }
     for (const LineSegmentDescription& segment : model.description.lines[i].segments) {
       if (index >= 0 || !segment.type.breaking_load) continue;

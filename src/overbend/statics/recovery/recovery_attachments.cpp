@@ -56,6 +56,31 @@ PipeWireResult recover_wire(const FreeLineDescription& line, const LineWire& wir
   return out;
 }
 
+LineEndResult wire_end(const Vec3& force, double tension, const Vec3& outwards) {
+  LineEndResult end;
+  end.force = force;
+  end.tension = tension;
+  end.declination = std::asin(std::clamp(outwards.z(), -1.0, 1.0));
+  return end;
+}
+
+/// As a line between its ends, in the order of the model.
+LineResult line_result(const PipeWireResult& wire, bool reversed) {
+  const Vec3 first = reversed ? wire.at.p_W : wire.far_W, second = reversed ? wire.far_W : wire.at.p_W;
+  const Vec3 along = (second - first).normalized();
+  const double tension = wire.tension_upper;
+  LineResult line;
+  line.name = wire.name;
+  line.length = wire.length;
+  line.elements = 1;
+  line.largest_tension = line.least_tension = tension;
+  line.utilisation = wire.utilisation;
+  line.first = wire_end(-tension * along, tension, -along);
+  line.second = wire_end(tension * along, tension, along);
+  line.nodes = {{0.0, first, tension}, {wire.length, second, tension}};
+  return line;
+}
+
 }  // namespace
 
 Vec3 attached_force(const StaticSystem& system, const LineState& state, std::optional<int> node) {
@@ -88,6 +113,7 @@ void recover_attachments(StaticResults& results, const StaticSystem& system, con
       results.wires.push_back(
           recover_wire(*attached.line, line.wires[i], system.wire_pulls()[i], system.plane().astern_W));
       results.wires.back().at = recover_place(system, state, cuts, line.wires[i].node);
+      results.lines.push_back(line_result(results.wires.back(), line.wires[i].reversed));
     }
   }
 }

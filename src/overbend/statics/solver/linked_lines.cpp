@@ -68,6 +68,16 @@ LiftPosition drawn_position(const Description& description) {
   return position;
 }
 
+LiftPosition stage_position(const Description& description, const LayStageDescription& stage, LiftPosition from) {
+  for (const LineValue& length : stage.lengths) from.lengths[index_of(description.lines, length.line)] = length.value;
+  for (const LineValue& tension : stage.tensions) {
+    from.tensions[index_of(description.lines, tension.line)] = tension.value;
+  }
+  if (stage.vessel) from.vessel = *stage.vessel;
+  if (stage.join) from.joins.push_back(*stage.join);
+  return from;
+}
+
 LinkedLines::LinkedLines(const Model& model)
     : model_(&model), setup_(linked_lines_setup(model)), state_(start_of(setup_, 0.0)) {
   position_ = drawn_position(model.description);
@@ -76,6 +86,27 @@ LinkedLines::LinkedLines(const Model& model)
                                                 : setup_.system.lines[to_size(setup_.lines[i])].mesh.total_length();
   }
   assembly_.emplace(setup_.system);
+}
+
+VesselPose LinkedLines::vessel_pose() const {
+  return moved(model_->mean_pose, position_.vessel);
+}
+
+/// Points rest where they are, and friction of the bed is what the way there has left.
+LinesAtRest LinkedLines::at_rest() const {
+  LinesAtRest lines{setup_, state_, {}};
+  for (LineState& line : lines.state.lines) {
+    std::ranges::fill(line.v, 0.0);
+    lines.rest.in_bows.push_back(true);
+  }
+  std::size_t number = 0;
+  for (const int body : free_bodies(lines.setup.system)) {
+    HullState& rest = lines.setup.system.bodies[to_size(body)].free->rest;
+    rest = state_.bodies[number];
+    rest.v = rest.acc = Vec6::Zero();
+    lines.state.bodies[number++] = rest;
+  }
+  return lines;
 }
 
 /// Makes a body of the two ends as they stand, apart from each other; put() brings them together.

@@ -41,6 +41,10 @@ class LinkedLines {
   const Assembly& assembly() const { return *assembly_; }
   double residual() const { return residual_; }
   int iterations() const { return iterations_; }
+  /// What a run in time starts from.
+  LinesAtRest at_rest() const;
+  /// Of the vessel at the position.
+  VesselPose vessel_pose() const;
 
  private:
   /// Two first ends held by a point of their own: the second's place and direction in its frame as they were before.
@@ -72,5 +76,8 @@ class LinkedLines {
 
 /// The position that a model has as drawn.
 LiftPosition drawn_position(const Description& description);
+
+/// What a stage of a lift asks for, from where the lines are: what it does not name stays.
+LiftPosition stage_position(const Description& description, const LayStageDescription& stage, LiftPosition from);
 
 }  // namespace overbend

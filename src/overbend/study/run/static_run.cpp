@@ -28,7 +28,7 @@ StaticResults unjudged_statics(const Model& model, const ModelEquilibrium& equil
     results.findings.push_back(std::move(*finding));
   }
   results.moorings = equilibrium.moorings;
-  results.lines = equilibrium.lines;
+  if (!equilibrium.solution->has_pipe()) results.lines = equilibrium.lines;
   results.lift = equilibrium.lift;
   return results;
 }

@@ -13,22 +13,6 @@
 namespace overbend {
 namespace {
 
-std::size_t index_of(const Description& description, const std::string& name) {
-  const auto found = std::ranges::find(description.lines, name, &FreeLineDescription::name);
-  return static_cast<std::size_t>(found - description.lines.begin());
-}
-
-/// What a stage asks for, from where the lines are: what it does not name stays.
-LiftPosition asked(const Description& description, const LayStageDescription& stage, LiftPosition position) {
-  for (const LineValue& length : stage.lengths) position.lengths[index_of(description, length.line)] = length.value;
-  for (const LineValue& tension : stage.tensions) {
-    position.tensions[index_of(description, tension.line)] = tension.value;
-  }
-  if (stage.vessel) position.vessel = *stage.vessel;
-  if (stage.join) position.joins.push_back(*stage.join);
-  return position;
-}
-
 /// The first weld that is still to be made.
 const JoinDescription* next_join(const Description& description, std::size_t stage) {
   const std::vector<LayStageDescription>& stages = description.operation.lay.stages;
@@ -74,7 +58,7 @@ OperationResults solve_lift(const Description& description,
     StageResult& stage = results.stages.emplace_back();
     stage.stage = stages[i];
     if (stage.stage.name.empty()) stage.stage.name = "stage " + std::to_string(i + 1);
-    const LiftPosition target = asked(description, stages[i], last);
+    const LiftPosition target = stage_position(description, stages[i], last);
     if (const std::optional<StaticFailure> failure = lines.bring_to(target)) {
       stage.failure = failure_of(*failure);
     } else {

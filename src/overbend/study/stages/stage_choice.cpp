@@ -66,16 +66,12 @@ bool yields(const Description& d) {
 }  // namespace
 
 std::variant<Description, RunEnd> choose_stage(const Description& description, const std::string& wanted) {
-  if (description.operation.type == OperationType::lift) {
-    return RunEnd{RunEnding::wrong_input,
-                  "a stage of a lift cannot be taken by itself yet: static analysis goes through "
-                  "all of them"};
-  }
-  const Stages stages = is_lay_operation(description.operation.type) ? lay_stages(description) : Stages{};
+  const bool lift = description.operation.type == OperationType::lift;
+  const Stages stages = lift || is_lay_operation(description.operation.type) ? lay_stages(description) : Stages{};
   const std::optional<std::size_t> index = index_of(stages, wanted);
   if (!index) return no_such_stage(stages, wanted);
   LayStageDescription stage = stages[*index];
-  if (!is_complete(description, stage)) {
+  if (!lift && !is_complete(description, stage)) {
     std::variant<LayStageDescription, RunEnd> solved = solved_stage(description, *index);
     if (const RunEnd* fault = std::get_if<RunEnd>(&solved)) return *fault;
     stage = std::get<LayStageDescription>(solved);
