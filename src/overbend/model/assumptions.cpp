@@ -165,8 +165,8 @@ void assume_attachments(Assumptions& list, const Description& description) {
   if (std::ranges::any_of(attached, [](const PipeAttachment& one) { return one.line != nullptr; })) {
     list.push_back(
         {AssumptionRank::other,
-         "Lines on the pipe are straight wires hinged to its axis, which bear no compression; water does not "
-         "drag on them, and they do not touch the bed."});
+         "Lines on the pipe are hinged to its axis and bear no compression: straight wires, or with weight elastic "
+         "catenaries; water does not drag on them, and they do not touch the bed."});
   }
 }
 

@@ -1,6 +1,10 @@
 #include "system/line.h"
 
+#include <algorithm>
+
+#include "base/constants.h"
 #include "model/pipe_attachments.h"
+#include "moorings/catenary_line.h"
 #include "system/cable_line.h"
 
 namespace overbend {
@@ -16,6 +20,9 @@ LineWire line_wire(const Model& model, const FreeLineDescription& line, int node
   wire.wire.first = far.kind == LineEndKind::body ? far.at : end_place(model, far);
   wire.wire.length = unstressed_length(line);
   wire.wire.axial_stiffness = axial_stiffness(line);
+  if (is_weightless(line)) return wire;
+  wire.hanging = catenary_line(line.segments, {}, 0.0, kGravity);
+  if (wire.reversed) std::ranges::reverse(wire.hanging->pieces);
   return wire;
 }
 

@@ -41,7 +41,10 @@ void LineAssembly::set(const Continuation& continuation) {
   points_ = line_->points;
   for (LinePoint& point : points_) scale_forces(point, continuation.attached);
   wires_ = line_->wires;
-  for (LineWire& wire : wires_) wire.wire.axial_stiffness *= continuation.attached;
+  for (LineWire& wire : wires_) {
+    wire.wire.axial_stiffness *= continuation.attached;
+    wire.share = continuation.attached;
+  }
   softened_.reset();
   if (continuation.max_axial_stiffness < Continuation{}.max_axial_stiffness) {
     softened_ = elements();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "moorings/hanging_line.h"
+
 namespace overbend {
 
 WirePull wire_pull(const Wire& wire, const Vec3& first, const Vec3& second) {
@@ -17,9 +19,30 @@ WirePull wire_pull(const Wire& wire, const Vec3& first, const Vec3& second) {
   const Mat3 by_stretch = along * along.transpose();
   const double axial = wire.held_tension ? 0.0 : wire.axial_stiffness / wire.length;
   pull.force = pull.tension * along;
+  pull.on_second = -pull.force;
   pull.stiffness = axial * by_stretch + pull.tension / pull.span * (Mat3::Identity() - by_stretch);
   return pull;
 }
+
+namespace {
+
+/// What is far too short for a catenary pulls as a straight wire does.
+WirePull line_pull(const LineWire& line, const Vec3& first, const Vec3& second) {
+  if (!line.hanging) return wire_pull(line.wire, first, second);
+  const HangingForces hung = hanging_forces(*line.hanging, first, second);
+  if (!hung.found) return wire_pull(line.wire, first, second);
+  WirePull pull;
+  pull.first = first;
+  pull.second = second;
+  pull.span = (second - first).norm();
+  pull.force = line.share * hung.on_first;
+  pull.on_second = line.share * hung.on_second;
+  pull.stiffness = line.share * hung.stiffness;
+  pull.tension = pull.force.norm();
+  return pull;
+}
+
+}  // namespace
 
 WireEnd wire_end(const Wire& wire, const std::vector<RigidMotion>& bodies) {
   if (wire.first_body == kGround) return {wire.first, Vec3::Zero()};
@@ -32,10 +55,10 @@ void add_wire_forces(std::span<const LineWire> wires, std::span<const WireEnd> e
                      BlockTridiagonal* tangent, std::span<WirePull> pulls) {
   for (std::size_t i = 0; i < wires.size(); ++i) {
     const int node = wires[i].node;
-    pulls[i] = wire_pull(wires[i].wire, ends[i].place, Eigen::Map<const Vec3>(q + 6 * node));
+    pulls[i] = line_pull(wires[i], ends[i].place, Eigen::Map<const Vec3>(q + 6 * node));
     double* const diag = tangent != nullptr ? tangent->diag(node) : nullptr;
     for (int row = 0; row < 3; ++row) {
-      residual[6 * node + row] += pulls[i].force(row);
+      residual[6 * node + row] -= pulls[i].on_second(row);
       for (int k = 0; diag != nullptr && k < 3; ++k) diag[row * kRowWidth + k] += pulls[i].stiffness(row, k);
     }
   }

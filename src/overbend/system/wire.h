@@ -1,4 +1,5 @@
-/// Straight wires without weight: their pull on what they are between, and on nodes of a line.
+/// Straight wires without weight: their pull on what they are between, and on nodes of a line. There they may have
+/// weight, at rest: elastic catenaries.
 #pragma once
 
 #include <optional>
@@ -9,6 +10,7 @@
 #include "base/vec.h"
 #include "mechanics/line_kernel.h"
 #include "mechanics/vessel_motion.h"
+#include "moorings/catenary_line.h"
 #include "numerics/block_tridiagonal.h"
 
 namespace overbend {
@@ -27,11 +29,12 @@ struct Wire {
 
 /// Of a wire between two places.
 struct WirePull {
-  double tension = 0.0;           ///< 0 while it is slack [N].
+  double tension = 0.0;           ///< At its first end; 0 while it is slack [N].
   double span = 0.0;              ///< Distance of its ends [m].
   Vec3 first = Vec3::Zero();      ///< Place of its first end, W [m].
   Vec3 second = Vec3::Zero();     ///< Of its second.
-  Vec3 force = Vec3::Zero();      ///< On what holds its first end, W; the other end is pulled the opposite way [N].
+  Vec3 force = Vec3::Zero();      ///< On what holds its first end, W [N].
+  Vec3 on_second = Vec3::Zero();  ///< On what holds its second; the opposite, but for its weight.
   Mat3 stiffness = Mat3::Zero();  ///< d force / d place of the second end [N/m].
 };
 
@@ -41,6 +44,8 @@ WirePull wire_pull(const Wire& wire, const Vec3& first, const Vec3& second);
 /// A wire from a body or the ground, its first end, to a node of a line.
 struct LineWire {
   Wire wire;
+  std::optional<CatenaryLine> hanging;  ///< Of one with weight: what hangs there, from its first end.
+  double share = 1.0;                   ///< Of that its forces are, in a continuation.
   int node = 0;
   bool reversed = false;  ///< That first end is the second of the line that it is in the model.
 };

@@ -125,5 +125,39 @@ TEST(recovery_attachments, a_wire_on_the_vessel_holds_as_one_on_the_same_place) 
   EXPECT_NEAR(a.wires[0].tension_upper, b.wires[0].tension_upper, 0.1);
 }
 
+LineTypeDescription& type_of_wire(Description& d) {
+  return d.lines[0].segments[0].type;
+}
+
+// With hardly any weight the catenary is the straight wire.
+TEST(recovery_attachments, a_line_with_a_little_weight_holds_as_one_without) {
+  Description light = read_case("LW12-J");
+  type_of_wire(light).weight_in_air = type_of_wire(light).weight_submerged = 1e-3;
+  const StaticResults a = solved(read_case("LW12-J")), b = solved(light);
+  EXPECT_NEAR(b.wires[0].tension_upper, a.wires[0].tension_upper, 1.0);
+  EXPECT_NEAR(b.wires[0].at.moment, a.wires[0].at.moment, 10.0);
+}
+
+// What it weighs is the difference of its ends' vertical forces, in the air and under water.
+TEST(recovery_attachments, a_line_with_weight_hangs_between_its_ends) {
+  for (const bool turned : {false, true}) {
+    Description heavy = read_case("LW12-J");
+    type_of_wire(heavy).weight_in_air = 60.0;
+    type_of_wire(heavy).weight_submerged = 50.0;
+    heavy.lines[0].first.at.x() -= 8.0;
+    heavy.lines[0].segments[0].length = 84.2;
+    if (turned) std::swap(heavy.lines[0].first, heavy.lines[0].second);
+    const StaticResults found = solved(heavy);
+    const LineResult& line = found.lines[0];
+    const PipeWireResult& wire = found.wires[0];
+    const double in_air = 9.0, under_water = 84.2 - in_air;  // nearly plumb, and hardly stretched
+    EXPECT_NEAR((line.first.force + line.second.force).z(), 60.0 * in_air + 50.0 * under_water, 30.0);
+    EXPECT_NEAR((line.first.force + line.second.force).head<2>().norm(), 0.0, 1.0);
+    EXPECT_NEAR(wire.tension_upper - wire.tension_lower, 60.0 * in_air + 50.0 * under_water, 60.0);
+    EXPECT_GT(wire.tension_lower, 1e3);
+    EXPECT_LT(found.global_residual, 1e-8);
+  }
+}
+
 }  // namespace
 }  // namespace overbend

@@ -119,8 +119,13 @@ std::optional<StaticFailure> dragging_obstacle(const Description& d) {
                  "overbend static has its stages; in time friction would have to follow the motion of the winch");
 }
 
-/// A straight wire has no attachment of its own that could swing.
+/// A straight wire has no attachment of its own that could swing; one with weight on the pipe has no mass yet.
 std::optional<StaticFailure> wire_obstacle(const Description& d) {
+  const auto heavy = std::ranges::find_if(d.lines, [](const auto& line) { return !is_weightless(line); });
+  if (d.has_pipe && heavy != d.lines.end()) {
+    return refused("lines", "a line with weight on the pipe cannot be run in time yet",
+                   "line '" + heavy->name + "': give it a type without weight");
+  }
   for (const FreeLineDescription& line : d.lines) {
     const bool linked = d.has_pipe || std::ranges::any_of(d.lines, is_linked);
     const bool swings = line.first.period > 0.0 || line.second.period > 0.0;

@@ -15,11 +15,11 @@ constexpr double kLeastWeight = 1e-3;  ///< Of the weight in air: lighter cables
 constexpr double kOnBed = 0.02;        ///< An end this close over the bed stands on it, of the cable's length.
 
 /// Place and force of the catenary at an arc length from the lower end.
-struct CatenaryPoint {
+struct GuessPoint {
   double x, z, vertical;
 };
 
-CatenaryPoint point_at(const CableStart& c, double s) {
+GuessPoint point_at(const CableStart& c, double s) {
   const double w = c.weight, H = c.horizontal;
   if (c.on_bed > 0.0) {
     const double lifted = std::max(s - c.on_bed, 0.0), v = w * lifted;
@@ -68,7 +68,7 @@ void look_along_elements(std::vector<double>& q) {
 /// What the place of the upper end lacks.
 Eigen::Vector2d missing(CableStart& c, bool bed) {
   c.on_bed = bed ? std::max(c.length - c.vertical / c.weight, 0.0) : 0.0;
-  const CatenaryPoint end = point_at(c, c.length);
+  const GuessPoint end = point_at(c, c.length);
   return {end.x - c.across, end.z - c.up};
 }
 
@@ -139,7 +139,7 @@ std::vector<double> CableStart::shape(const LineMesh& mesh) const {
       way = Eigen::Vector2d(across, up).normalized();
       stretch = std::hypot(across, up) / length;
     } else {
-      const CatenaryPoint at = point_at(*this, s);
+      const GuessPoint at = point_at(*this, s);
       x = at.x;
       z = at.z;
       const double tension = std::hypot(horizontal, at.vertical);

@@ -46,38 +46,45 @@ PipeWireResult recover_wire(const FreeLineDescription& line, const LineWire& wir
   PipeWireResult out;
   out.name = line.name;
   out.length = wire.wire.length;
-  out.tension_upper = out.tension_lower = pull.tension;
   const Vec3 along = pull.second - pull.first;
-  out.from_vertical_upper = out.from_vertical_lower = std::atan2(along.head<2>().norm(), std::abs(along.z()));
-  out.force = -pull.force;
+  const bool far_above = pull.first.z() >= pull.second.z();
+  const Vec3 far = pull.tension > 0.0 ? pull.force : along, near = pull.tension > 0.0 ? pull.on_second : along;
+  const auto from_vertical = [](const Vec3& way) { return std::atan2(way.head<2>().norm(), std::abs(way.z())); };
+  out.tension_upper = far_above ? pull.force.norm() : pull.on_second.norm();
+  out.tension_lower = far_above ? pull.on_second.norm() : pull.force.norm();
+  out.from_vertical_upper = from_vertical(far_above ? far : near);
+  out.from_vertical_lower = from_vertical(far_above ? near : far);
+  out.force = pull.on_second;
   out.force_astern = out.force.dot(astern);
   out.far_W = pull.first;
-  if (const auto load = breaking_load(line)) out.utilisation = pull.tension / *load;
+  if (const auto load = breaking_load(line)) out.utilisation = std::max(out.tension_upper, out.tension_lower) / *load;
   return out;
 }
 
-LineEndResult wire_end(const Vec3& force, double tension, const Vec3& outwards) {
+/// Forces are those on the line by what holds its ends.
+LineEndResult end_result(const Vec3& pull, const Vec3& outwards) {
   LineEndResult end;
-  end.force = force;
-  end.tension = tension;
+  end.force = -pull;
+  end.tension = pull.norm();
   end.declination = std::asin(std::clamp(outwards.z(), -1.0, 1.0));
   return end;
 }
 
 /// As a line between its ends, in the order of the model.
-LineResult line_result(const PipeWireResult& wire, bool reversed) {
-  const Vec3 first = reversed ? wire.at.p_W : wire.far_W, second = reversed ? wire.far_W : wire.at.p_W;
+LineResult line_result(const PipeWireResult& wire, const WirePull& pull, bool reversed) {
+  const Vec3 first = reversed ? pull.second : pull.first, second = reversed ? pull.first : pull.second;
+  const Vec3 on_first = reversed ? pull.on_second : pull.force, on_second = reversed ? pull.force : pull.on_second;
   const Vec3 along = (second - first).normalized();
-  const double tension = wire.tension_upper;
   LineResult line;
   line.name = wire.name;
   line.length = wire.length;
   line.elements = 1;
-  line.largest_tension = line.least_tension = tension;
   line.utilisation = wire.utilisation;
-  line.first = wire_end(-tension * along, tension, -along);
-  line.second = wire_end(tension * along, tension, along);
-  line.nodes = {{0.0, first, tension}, {wire.length, second, tension}};
+  line.first = end_result(on_first, on_first.norm() > 0.0 ? Vec3(-on_first.normalized()) : Vec3(-along));
+  line.second = end_result(on_second, on_second.norm() > 0.0 ? Vec3(-on_second.normalized()) : along);
+  line.largest_tension = std::max(line.first.tension, line.second.tension);
+  line.least_tension = std::min(line.first.tension, line.second.tension);
+  line.nodes = {{0.0, first, line.first.tension}, {wire.length, second, line.second.tension}};
   return line;
 }
 
@@ -89,7 +96,7 @@ Vec3 attached_force(const StaticSystem& system, const LineState& state, std::opt
     if (!node || point.node == *node) sum += point_force(point, system.environment(), state.q.data());
   }
   for (std::size_t i = 0; i < system.line().wires.size(); ++i) {
-    if (!node || system.line().wires[i].node == *node) sum -= system.wire_pulls()[i].force;
+    if (!node || system.line().wires[i].node == *node) sum += system.wire_pulls()[i].on_second;
   }
   return sum;
 }
@@ -113,7 +120,7 @@ void recover_attachments(StaticResults& results, const StaticSystem& system, con
       results.wires.push_back(
           recover_wire(*attached.line, line.wires[i], system.wire_pulls()[i], system.plane().astern_W));
       results.wires.back().at = recover_place(system, state, cuts, line.wires[i].node);
-      results.lines.push_back(line_result(results.wires.back(), line.wires[i].reversed));
+      results.lines.push_back(line_result(results.wires.back(), system.wire_pulls()[i], line.wires[i].reversed));
     }
   }
 }

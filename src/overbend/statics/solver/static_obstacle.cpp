@@ -36,9 +36,12 @@ std::optional<StaticFailure> lines_obstacle(const Description& description) {
       return StaticFailure{"a line on the pipe is held by nothing that has its place", line.name,
                            "its other end has to be fixed, on the bed, in the water or on the vessel", true, "lines"};
     }
-    if (!is_weightless(line) || has_pipe_section(line)) {
-      return StaticFailure{"a line with weight on the pipe that is laid cannot be solved yet", line.name,
-                           "give it a type whose weight_in_air and weight_submerged are 0", true, "lines"};
+    const bool stiff = std::ranges::any_of(line.segments, [](const LineSegmentDescription& segment) {
+      return segment.section || segment.type.bending_stiffness > 0.0;
+    });
+    if (stiff || !line.points.empty()) {
+      return StaticFailure{"a line on the pipe that is laid is a wire or a catenary", line.name,
+                           "it may not have steel, bending stiffness or points of its own yet", true, "lines"};
     }
     const bool floats = description.vessel.coupled || has_station(description) || description.vessel.hydrostatics;
     if (far.kind == LineEndKind::body && floats) {
