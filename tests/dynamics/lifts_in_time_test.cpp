@@ -154,6 +154,17 @@ TEST(lifts_in_time, snap_with_a_load_that_does_not_hang_on_the_step) {
   EXPECT_NEAR(peak[0], peak[1], 0.02 * peak[1]);
 }
 
+TEST(lifts_in_time, go_on_from_a_checkpoint_bit_for_bit) {
+  Model model = build_model(heaving(read_case("TI12-closed", 2), 0.5, 8.0));
+  const ModelEquilibrium rest = solve_equilibrium(model, nullptr);
+  const DynamicOptions options = options_for(4.0, 0.0);
+  Simulation whole(model, rest.solution.value(), 0.0, options), second(model, *rest.solution, 0.0, options);
+  ASSERT_TRUE(whole.advance(2.0));
+  second.restore(whole.checkpoint());
+  const auto a = tensions_of(whole), b = tensions_of(second);
+  for (const auto& [line, range] : a) EXPECT_EQ(range.last, b.at(line).last) << line;
+}
+
 TEST(lifts_in_time, allocate_nothing_in_their_steps) {
   Model model = build_model(heaving(read_case("DL12-three", 3), 0.3, 8.0));
   const ModelEquilibrium rest = solve_equilibrium(model, nullptr);

@@ -51,8 +51,9 @@ StepScales step_scales(const Model& model) {
   scales.time = std::min(scales.time, shortest_period(d) / kStepsInPeriod);
   for (const FreeLineDescription& line : d.lines) {
     const bool wire = is_weightless(line) && !has_pipe_section(line);  // without mass it follows its ends
-    if (!wire && unstressed_length(line) > 0.0)
+    if (!wire && unstressed_length(line) > 0.0) {
       scales.length = std::min(scales.length, unstressed_length(line) / kErrorsInLength);
+    }
   }
   if (d.has_pipe && !model.sections.empty()) {
     const Section& pipe = model.pipe_section();

@@ -57,6 +57,43 @@ TEST(moored_lay, the_load_on_the_vessel_balances_the_pipe) {
   EXPECT_LT((load - rest).norm(), 1e-6 * r.total_weight);
 }
 
+/// A wire from the stern to the pipe behind the stinger.
+Description with_wire(Description d) {
+  FreeLineDescription& wire = d.lines.emplace_back();
+  wire.name = "wire";
+  wire.first.kind = LineEndKind::body;
+  wire.first.body = "vessel";
+  wire.first.at = Vec3(-150.0, 0.0, 10.0);
+  wire.second.kind = LineEndKind::line;
+  wire.second.line = "pipe";
+  wire.second.arc_length = 150.0;
+  LineSegmentDescription& segment = wire.segments.emplace_back();
+  segment.length = 20.0;
+  segment.type.axial_stiffness = 1e6;
+  return d;
+}
+
+TEST(moored_lay, a_wire_from_the_vessel_is_in_the_load_on_it) {
+  Model model = build_model(with_wire(held()));
+  const ModelEquilibrium lay = solve_lay(model);
+  ASSERT_FALSE(lay.failure) << lay.failure->why;
+  const StaticResults r = recover_statics(model, *lay.solution);
+  ASSERT_GT(r.wires.at(0).tension_upper, 1e3);
+  StaticSystem system(model, model.mean_pose, lay.solution->mesh);
+  const Vec3 load = load_on_vessel(system, lay.solution->state).head<3>();
+  const Vec3 rest = r.sum_weight + r.sum_buoyancy + r.sum_current + r.sum_seabed + r.anchor_reaction;
+  EXPECT_LT((load - rest).norm(), 1e-6 * r.total_weight);
+}
+
+TEST(moored_lay, the_lines_hold_what_a_wire_to_the_pipe_pulls) {
+  Model model = build_model(with_wire(moored()));
+  const ModelEquilibrium lay = solve_lay(model);
+  ASSERT_FALSE(lay.failure) << lay.failure->why;
+  StaticSystem system(model, model.mean_pose, lay.solution->mesh);
+  const Vec6 load = load_on_vessel(system, lay.solution->state);
+  EXPECT_NEAR(lay.moorings->rest.mooring_force.at(0), -load(0), 1.0);
+}
+
 TEST(moored_lay, a_barge_with_given_lengths_gives_way_to_the_pipe) {
   Description d = moored();
   d.environment.current.clear();

@@ -126,6 +126,13 @@ std::optional<StaticFailure> wire_obstacle(const Description& d) {
     return refused("lines", "a line with weight on the pipe cannot be run in time yet",
                    "line '" + heavy->name + "': give it a type without weight");
   }
+  const auto on_hull = std::ranges::find_if(d.lines, [](const FreeLineDescription& line) {
+    return line.first.kind == LineEndKind::body || line.second.kind == LineEndKind::body;
+  });
+  if (d.has_pipe && d.vessel.motion == VesselMotion::coupled && on_hull != d.lines.end()) {
+    return refused("lines", "a line between the pipe and a hull that floats free cannot be run in time yet",
+                   "line '" + on_hull->name + "': give another vessel.motion, or an end that is fixed");
+  }
   for (const FreeLineDescription& line : d.lines) {
     const bool linked = d.has_pipe || std::ranges::any_of(d.lines, is_linked);
     const bool swings = line.first.period > 0.0 || line.second.period > 0.0;

@@ -15,6 +15,10 @@ Vec6 load_on_vessel(StaticSystem& system, const LineState& state) {
       add(-contact.force(), contact.at.place - origin);
     }
   }
+  for (std::size_t i = 0; i < system.line().wires.size(); ++i) {
+    const WirePull& pull = system.wire_pulls()[i];
+    if (system.line().wires[i].wire.first_body != kGround) add(pull.force, pull.first - origin);
+  }
   const int top = system.mesh().nodes() - 1;
   const double* node = state.q.data() + 6 * top;
   add(-system.end_reaction(top), Vec3(Eigen::Map<const Vec3>(node)) - origin);

@@ -108,8 +108,9 @@ class LinkedSetup {
     const FreeLineDescription& line = lines_[i];
     CableParts parts = parts_of(line);
     const Vec3 first = end_point(line.first), second = end_point(line.second);
-    if (!parts.has_pipe() && is_linked(line))
+    if (!parts.has_pipe() && is_linked(line)) {
       lengthen(parts, slack_length(unstressed_length(line), (second - first).norm()));
+    }
     const CableStart start = cable_start(model_, parts, first, second);
     CableMesh mesh = wanted_mesh(model_, line, parts);
     mesh.touchdown = start.touchdown();

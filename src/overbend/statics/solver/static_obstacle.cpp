@@ -43,11 +43,6 @@ std::optional<StaticFailure> lines_obstacle(const Description& description) {
       return StaticFailure{"a line on the pipe that is laid is a wire or a catenary", line.name,
                            "it may not have steel, bending stiffness or points of its own yet", true, "lines"};
     }
-    const bool floats = description.vessel.coupled || has_station(description) || description.vessel.hydrostatics;
-    if (far.kind == LineEndKind::body && floats) {
-      return StaticFailure{"a line between the pipe and a hull that floats cannot be solved yet", line.name,
-                           "give vessel.motion without moorings, or an end that is fixed", true, "lines"};
-    }
   }
   return std::nullopt;
 }
