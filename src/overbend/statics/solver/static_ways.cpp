@@ -439,10 +439,11 @@ bool solve_by_ways(StaticCase& at, const LayShape& shape) {
 /// The bare pipe first; what is fixed to it then pulls more and more, at first very little: a wire may be much too
 /// short for where the bare pipe is.
 bool attach_in_steps(StaticCase& at, const LayShape& shape) {
+  constexpr double kFirst = 1e-6;
   ease(at, [](Continuation& c) { c.attached = 0.0; });
   const bool solved = solve_by_ways(at, shape) && follow_in_steps(at, "clumps, buoys and wires in steps", Steps{},
                                                                   [](double reached, Continuation& c) {
-                                                                    c.attached = reached * reached * reached;
+                                                                    c.attached = std::pow(kFirst, 1.0 - reached);
                                                                   });
   ease(at, [](Continuation& c) { c.attached = 1.0; });
   return solved && carried(at);

@@ -136,6 +136,16 @@ StaticOutcome fail(StaticFailure failure) {
   return {std::nullopt, std::move(failure)};
 }
 
+/// A short line on the pipe takes the place of the tensioner, however that is set.
+StaticFailure with_lines(const Model& model, StaticFailure failure) {
+  if (model.description.lines.empty()) return failure;
+  failure.why +=
+      ". A line on the pipe that is too short for where the pipe hangs holds it instead of the tensioner, whose "
+      "tension "
+      "cannot be set then: look for a length or a place of a line that does not fit";
+  return failure;
+}
+
 /// `hanging`: what the pipe weighs between tensioner and seabed, without what is built into it; a short piece that
 /// floats would make it negative.
 StaticOutcome give_up(const StaticCase& at, double hanging) {
@@ -144,7 +154,7 @@ StaticOutcome give_up(const StaticCase& at, double hanging) {
                                      : fmt::format("node {} at s = {} from the anchor", node,
                                                    shown(at.system.mesh().s[static_cast<std::size_t>(node)], "m", 1));
   if (at.least_found > 0.0) {
-    return fail(compressed_at_seabed(at.target.value, at.least_found));
+    return fail(with_lines(at.system.model(), compressed_at_seabed(at.target.value, at.least_found)));
   }
   if (!at.yielded.empty()) {
     return fail(
@@ -156,15 +166,17 @@ StaticOutcome give_up(const StaticCase& at, double hanging) {
   const std::string what =
       at.left.empty() ? "no equilibrium found" : "no equilibrium found: the pipe runs off its rollers";
   const std::optional<SupportOutlier> outlier = support_outlier(at.system.model());
-  return fail({what, where,
-               (outlier ? outlier_words(*outlier) + ". N" : "n") +
-                   fmt::format("either Newton's method, nor hardening the rollers, raising the current or lowering the "
-                               "tension in steps, nor dynamic relaxation converged{} (last residual {:.1e} of the "
-                               "line's weight). The tension is {:.2f} times the suspended weight of plain pipe; near 1 "
-                               "the pipe goes into compression at the seabed. Otherwise look for a box far off the "
-                               "curve of its neighbours, or a current too strong for so light a pipe{}",
-                               at.spent() ? " within the limit of computational effort" : "", at.report.force_residual,
-                               at.target.value / hanging, at.left)});
+  return fail(with_lines(
+      at.system.model(),
+      {what, where,
+       (outlier ? outlier_words(*outlier) + ". N" : "n") +
+           fmt::format("either Newton's method, nor hardening the rollers, raising the current or lowering the "
+                       "tension in steps, nor dynamic relaxation converged{} (last residual {:.1e} of the "
+                       "line's weight). The tension is {:.2f} times the suspended weight of plain pipe; near 1 "
+                       "the pipe goes into compression at the seabed. Otherwise look for a box far off the "
+                       "curve of its neighbours, or a current too strong for so light a pipe{}",
+                       at.spent() ? " within the limit of computational effort" : "", at.report.force_residual,
+                       at.target.value / hanging, at.left)}));
 }
 
 /// What the state has of what is wanted: of a tension by the balance of the whole line, which says nothing of strains.
