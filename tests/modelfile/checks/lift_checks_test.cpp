@@ -80,5 +80,16 @@ TEST(lift_keys, refuse_to_weld_pipes_of_two_diameters) {
                    "one outside diameter");
 }
 
+TEST(lift_keys, refuse_to_weld_what_does_not_begin_with_pipe) {
+  expect_complaint(lift_with("    segments:\n      - length: 301.185 m",
+                             "    segments:\n      - {length: 20 m, type: davit wire}\n      - length: 301.185 m"),
+                   "join", "first segment of 'pipe A'");
+}
+
+TEST(lift_keys, refuse_to_weld_where_another_line_is_attached) {
+  expect_complaint(lift_with("{line: pipe A, arc_length: 6 m}", "{line: pipe A, arc_length: 0 m}"), "join",
+                   "'davit 1' is attached");
+}
+
 }  // namespace
 }  // namespace overbend

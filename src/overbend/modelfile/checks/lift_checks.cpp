@@ -56,13 +56,34 @@ const FieldValue* first_diameter(const FieldValue& line) {
   return segments.empty() ? nullptr : segments.front().find("steel.outside_diameter");
 }
 
-/// What is welded end to end has one diameter.
+/// What is welded end to end is pipe of one diameter.
 void check_sections(Checker& check, const FieldValue& join, const FieldValue& first, const FieldValue& second) {
   constexpr double kSame = 0.02;
+  for (const FieldValue* line : {&first, &second}) {
+    const std::vector<FieldValue>& segments = Checker::items(*line, "segments");
+    if (segments.empty() || segments.front().mentions("steel")) continue;
+    check.error(join, "the first segment of '" + line->get_text("name").value_or("") + "', which is no pipe",
+                "lines whose first segments are pipe", "there is nothing to weld");
+  }
   const FieldValue *a = first_diameter(first), *b = first_diameter(second);
   if (a == nullptr || b == nullptr || std::abs(a->number - b->number) <= kSame * a->number) return;
   check.error(join, "pipes of " + a->shown + " and " + b->shown, "pipes of one outside diameter",
               "a reducer is not in the model");
+}
+
+/// Nothing else is attached where the weld holds a line.
+void check_weld_is_alone(Checker& check, const FieldValue& name) {
+  constexpr double kSameNode = 0.02;  // [m]
+  for (const FieldValue& other : Checker::items(check.root(), "lines")) {
+    for (const FieldValue& end : Checker::items(other, "ends")) {
+      const auto place = end.get_number("arc_length");
+      if (end.get_text("line") != name.text || !place || *place >= kSameNode) continue;
+      check.error(
+          name,
+          name.shown + ", at whose first end '" + other.get_text("name").value_or("another line") + "' is attached",
+          "a line with nothing attached at its first end", "attach it beside the weld");
+    }
+  }
 }
 
 /// The first ends of two pipes, free, that have not been welded before.
@@ -92,6 +113,7 @@ void check_join(Checker& check, const FieldValue& stage, std::map<std::string, i
     } else if (end != nullptr && !end->mentions("free")) {
       check.error(name, name.shown + ", whose first end is held", "a line whose first end is free");
     }
+    check_weld_is_alone(check, name);
     const auto [before, fresh] = joined.emplace(name.text, name.line);
     if (!fresh) {
       check.error(name, name.shown + " again", "a line that is not welded yet",

@@ -7,6 +7,7 @@
 #include "statics/recovery/lift_findings.h"
 #include "statics/recovery/lift_recovery.h"
 #include "statics/recovery/lines_recovery.h"
+#include "statics/solver/line_reach.h"
 #include "statics/solver/lines_setup.h"
 
 namespace overbend {
@@ -66,6 +67,7 @@ ModelEquilibrium solve_linked_lines(const Model& model) {
 ModelEquilibrium solve_lines(const Model& model) {
   ModelEquilibrium found;
   found.failure = lines_obstacle(model.description);
+  if (!found.failure) found.failure = reach_failure(model, drawn_position(model.description));
   if (found.failure) return found;
   if (has_linked_lines(model.description)) return solve_linked_lines(model);
   auto lines = std::make_shared<LinesAtRest>(LinesAtRest{lines_setup(model), {}, {}});

@@ -1,9 +1,12 @@
 #include "statics/solver/linked_lines.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/require.h"
+#include "base/shown_unit.h"
 #include "hull/body_kinematics.h"
 
 namespace overbend {
@@ -15,14 +18,6 @@ std::size_t to_size(int i) {
 
 std::size_t index_of(const std::vector<FreeLineDescription>& lines, const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find(lines, name, &FreeLineDescription::name) - lines.begin());
-}
-
-/// Along the vessel's axes as it lies; a heading turns with the sun.
-VesselPose moved(const VesselPose& pose, const VesselOffset& offset) {
-  VesselPose moved = pose;
-  moved.p_WV += pose.R_WV * Vec3(offset.x, offset.y, 0.0);
-  moved.R_WV = turned_about_z(-offset.heading) * pose.R_WV;
-  return moved;
 }
 
 /// What rounding of the places makes of the forces on a node, over the force scale of the line: its elements are stiff.
@@ -57,7 +52,60 @@ Vec3 turned_upwards(double kink) {
   return {std::cos(kink), 0.0, std::sin(kink)};
 }
 
+/// What the way to a position was for, and how far it came: "davit 1 came to 7.42 m of 1.00 m".
+struct WayThere {
+  std::string lines;  ///< That were hauled, paid out or welded.
+  std::string reached;
+
+  void add(const std::string& name, const std::string& text) {
+    if (!name.empty() && lines.find("line \"" + name + "\"") == std::string::npos) {
+      lines += (lines.empty() ? "" : ", ") + std::string("line \"") + name + "\"";
+    }
+    if (!text.empty()) reached += (reached.empty() ? "" : ", ") + text;
+  }
+};
+
+WayThere way_there(const std::vector<FreeLineDescription>& lines, const LiftPosition& here,
+                   const LiftPosition& target) {
+  WayThere way;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (target.tensions[i]) {
+      way.add(lines[i].name, fmt::format("{} is {} long on its way to {}", lines[i].name,
+                                         shown(here.lengths[i], "m", 2), shown(*target.tensions[i], "N", 1)));
+    } else if (std::abs(target.lengths[i] - here.lengths[i]) > 1e-9) {
+      way.add(lines[i].name, fmt::format("{} came to a length of {} on its way to {}", lines[i].name,
+                                         shown(here.lengths[i], "m", 2), shown(target.lengths[i], "m", 3)));
+    }
+  }
+  const VesselOffset &at = here.vessel, &to = target.vessel;
+  if (at.x != to.x || at.y != to.y || at.heading != to.heading) {
+    way.add("", fmt::format("the vessel came {} ahead and {} to port on its way to {} and {}", shown(at.x, "m", 2),
+                            shown(at.y, "m", 2), shown(to.x, "m", 2), shown(to.y, "m", 2)));
+  }
+  if (here.closed < 1.0 && !target.joins.empty()) {
+    const JoinDescription& join = target.joins.back();
+    way.add(join.first, fmt::format("{:.0f} % of the gap to be welded was closed", 100.0 * here.closed));
+    way.add(join.second, "");
+  }
+  return way;
+}
+
+StaticFailure unreachable(const std::vector<FreeLineDescription>& lines, const LiftPosition& here,
+                          const LiftPosition& target) {
+  const WayThere way = way_there(lines, here, target);
+  return {"no equilibrium was found", way.lines,
+          "the lines do not come to rest on the way there" + (way.reached.empty() ? "" : ": " + way.reached) +
+              "; give lengths, tensions or places that they can reach"};
+}
+
 }  // namespace
+
+VesselPose moved_pose(const VesselPose& pose, const VesselOffset& offset) {
+  VesselPose moved = pose;
+  moved.p_WV += pose.R_WV * Vec3(offset.x, offset.y, 0.0);
+  moved.R_WV = turned_about_z(-offset.heading) * pose.R_WV;
+  return moved;
+}
 
 LiftPosition drawn_position(const Description& description) {
   LiftPosition position;
@@ -174,7 +222,7 @@ void LinkedLines::put(const LiftPosition& position) {
     }
   }
   setup_.system.surroundings =
-      resting_surroundings(moved(model_->mean_pose, position.vessel), setup_.system.attachments);
+      resting_surroundings(moved_pose(model_->mean_pose, position.vessel), setup_.system.attachments);
 }
 
 bool LinkedLines::rest(const SystemState& laid) {
@@ -272,6 +320,26 @@ bool LinkedLines::haul_to_tensions(const LiftPosition& target) {
   return n == 0;
 }
 
+/// A line that carries several times its breaking load does not get where it is wanted.
+std::optional<StaticFailure> LinkedLines::overstretched() const {
+  constexpr double kMost = 3.0;  // times its breaking load
+  const std::vector<FreeLineDescription>& lines = model_->description.lines;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const double tension = setup_.wires[i] >= 0 ? assembly_->wires()[to_size(setup_.wires[i])].tension
+                                                : upper_tension(to_size(setup_.lines[i]));
+    for (const LineSegmentDescription& segment : lines[i].segments) {
+      const std::optional<double>& load = segment.type.breaking_load;
+      if (!load || tension <= kMost * *load) continue;
+      return StaticFailure{
+          "a line cannot reach", "line \"" + lines[i].name + "\"",
+          fmt::format("with a length of {} it would carry {}, {:.1f} times its breaking load; make it longer, or bring "
+                      "what holds it nearer",
+                      shown(position_.lengths[i], "m", 3), shown(tension, "N", 1), tension / *load)};
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<StaticFailure> LinkedLines::bring_to(const LiftPosition& target) {
   const LiftPosition from = position_;
   const SystemState at_first = state_;
@@ -283,8 +351,10 @@ std::optional<StaticFailure> LinkedLines::bring_to(const LiftPosition& target) {
   }
   std::optional<StaticFailure> failure = travel(target);
   if (!failure && !haul_to_tensions(target)) {
-    failure = StaticFailure{"no equilibrium was found", "", "no length of the lines gives the tensions asked for"};
+    failure = unreachable(model_->description.lines, position_, target);
+    failure->why = "no length of these lines gives the tensions asked for";
   }
+  if (!failure) failure = overstretched();
   if (!failure) {
     find_lengths();
     return std::nullopt;
@@ -316,7 +386,7 @@ std::optional<StaticFailure> LinkedLines::travel(const LiftPosition& target) {
     put(here);
     part *= 0.5;
     if (part < kShortest) {
-      return StaticFailure{"no equilibrium was found", "", "the lines do not come to rest on the way there"};
+      return unreachable(model_->description.lines, position_, target);
     }
   }
   return std::nullopt;

@@ -19,6 +19,9 @@ struct LiftPosition {
   double closed = 1.0;                 ///< Share of the gap of the last of them that is closed.
 };
 
+/// A vessel away from its place, along its axes as it lies; a heading turns clockwise.
+VesselPose moved_pose(const VesselPose& pose, const VesselOffset& offset);
+
 /// See lines_setup().
 LinesSetup linked_lines_setup(const Model& model);
 
@@ -62,6 +65,7 @@ class LinkedLines {
   std::optional<StaticFailure> travel(const LiftPosition& target);
   double upper_tension(std::size_t line) const;
   bool haul_to_tensions(const LiftPosition& target);
+  std::optional<StaticFailure> overstretched() const;
   void find_lengths();
 
   const Model* model_;

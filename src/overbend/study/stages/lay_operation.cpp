@@ -75,7 +75,7 @@ OperationResults solve_operation(const Description& description,
 }
 
 std::optional<StaticFailure> operation_obstacle(const Description& description) {
-  if (description.operation.type == OperationType::lift) return std::nullopt;
+  if (description.operation.type == OperationType::lift) return lift_obstacle(description);
   for (const LayStageDescription& stage : lay_stages(description)) {
     if (auto obstacle = static_obstacle(at_stage(description, stage))) return obstacle;
   }

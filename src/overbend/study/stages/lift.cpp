@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "base/version.h"
 #include "checks/run_checks.h"
@@ -9,9 +10,14 @@
 #include "statics/recovery/lift_findings.h"
 #include "statics/recovery/lift_recovery.h"
 #include "statics/recovery/lines_recovery.h"
+#include "statics/solver/line_reach.h"
 
 namespace overbend {
 namespace {
+
+std::string stage_name(const std::vector<LayStageDescription>& stages, std::size_t i) {
+  return stages[i].name.empty() ? "stage " + std::to_string(i + 1) : stages[i].name;
+}
 
 /// The first weld that is still to be made.
 const JoinDescription* next_join(const Description& description, std::size_t stage) {
@@ -43,6 +49,25 @@ StageFailure failure_of(const StaticFailure& failure) {
 
 }  // namespace
 
+std::optional<StaticFailure> lift_obstacle(const Description& description) {
+  const Model model = build_model(description);
+  LiftPosition position = drawn_position(description);
+  const std::vector<LayStageDescription>& stages = description.operation.lay.stages;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    position = stage_position(description, stages[i], std::move(position));
+    if (std::optional<StaticFailure> failure = reach_failure(model, position)) {
+      failure->where = "stage \"" + stage_name(stages, i) + "\"";
+      failure->key = "operation.stages[" + std::to_string(i) + "]";
+      return failure;
+    }
+    for (std::size_t line = 0; line < position.lengths.size(); ++line) {  // as long as the tension makes it
+      if (position.tensions[line]) position.lengths[line] = std::numeric_limits<double>::infinity();
+      position.tensions[line].reset();
+    }
+  }
+  return std::nullopt;
+}
+
 OperationResults solve_lift(const Description& description,
                             const std::function<bool(const StageResult&, std::size_t of)>& told) {
   const auto begin = std::chrono::steady_clock::now();
@@ -57,7 +82,7 @@ OperationResults solve_lift(const Description& description,
   for (std::size_t i = 0; i < stages.size(); ++i) {
     StageResult& stage = results.stages.emplace_back();
     stage.stage = stages[i];
-    if (stage.stage.name.empty()) stage.stage.name = "stage " + std::to_string(i + 1);
+    stage.stage.name = stage_name(stages, i);
     const LiftPosition target = stage_position(description, stages[i], last);
     if (const std::optional<StaticFailure> failure = lines.bring_to(target)) {
       stage.failure = failure_of(*failure);

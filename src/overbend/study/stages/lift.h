@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "model/description/description.h"
 #include "results/operation_results.h"
+#include "statics/solver/statics.h"
 
 namespace overbend {
 
@@ -12,5 +14,8 @@ namespace overbend {
 /// why; those after it go on from the last that stands.
 OperationResults solve_lift(const Description& description,
                             const std::function<bool(const StageResult&, std::size_t of)>& told);
+
+/// The first stage with a line that cannot reach, as a fault of the file; none where all can.
+std::optional<StaticFailure> lift_obstacle(const Description& description);
 
 }  // namespace overbend
