@@ -12,6 +12,7 @@
 #include "modelfile/reading/yaml_reader.h"
 #include "statics/solver/statics.h"
 #include "study/run/static_run.h"
+#include "study/stages/lift.h"
 #include "support/formula_value.h"
 
 namespace overbend {
@@ -111,6 +112,32 @@ TEST(calculation_sheet, the_numbers_on_the_sheet_give_the_utilisation_of_every_c
       {"thick wall", [](Description& d) { d.pipe.section.steel.wall_thickness = 0.024; }},
   };
   for (const auto& [what, change] : variants) expect_sheets_give_utilisations(checks_with(change), what);
+}
+
+TEST(calculation_sheet, the_numbers_of_pipe_of_a_line_give_its_utilisations) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/validation/lift_cases/DL8-one.yaml").description.value();
+  d.operation.lay.stages.resize(3);
+  const StaticResults lifted = *solve_lift(d, {}).stages.back().lay;
+  const auto checked = [&](const std::function<void(Description&)>& change) {
+    Description changed = d;
+    change(changed);
+    return check_statics(build_model(changed), lifted);
+  };
+  expect_sheets_give_utilisations(checked([](Description&) {}), "default");
+  expect_sheets_give_utilisations(checked([](Description& c) {
+                                    c.environment.current = {{0.0, 0.5, 0.0}};
+                                    c.checks.condition_factor = 1.07;
+                                  }),
+                                  "current");
+  expect_sheets_give_utilisations(checked([](Description& c) {
+                                    c.lines[0].segments[0].section->internal_pressure = 12e6;
+                                    c.checks.arrestor = ArrestorSettings{20e6, 0.8};
+                                  }),
+                                  "pressure and arrestor");
+  const CheckTable pointed = checked([](Description& c) { c.checks.point_load = true; });
+  expect_sheets_give_utilisations(pointed, "force of the wire");
+  EXPECT_TRUE(std::ranges::any_of(
+      pointed.rows, [](const CheckRow& row) { return row.id == "dnv_load_controlled" && row.line == "pipe"; }));
 }
 
 TEST(calculation_sheet, a_changed_number_of_the_sheet_no_longer_gives_the_utilisation) {

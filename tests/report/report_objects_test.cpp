@@ -91,7 +91,7 @@ TEST(report_objects, of_lines_shows_each_end_and_over_time_only_after_a_run) {
   EXPECT_NE(moved.find("Tension at the first end, jumper", statistics), std::string::npos);
 }
 
-TEST(report_objects, judged_lines_have_their_calculation_sheet_and_no_table_along_a_pipe) {
+TEST(report_objects, judged_lines_have_their_checks_and_calculation_sheet_and_nothing_along_a_pipe) {
   StaticResults results = synthetic_lines();
   CheckRow row;
   row.id = "line_load";
@@ -101,12 +101,13 @@ TEST(report_objects, judged_lines_have_their_calculation_sheet_and_no_table_alon
   row.sheet = {{"U", "utilisation", "demand/capacity", 0.4, "1", "safety factor", Confirmation::not_needed, ""}};
   results.checks.rows = {row};
   const std::string text = visible(report_html(results, example_text("jumper")));
-  for (const char* id : {"criteria", "lines", "inputs", "calculation-sheet", "check-inputs", "model"}) {
+  for (const char* id : {"criteria", "checks", "lines", "inputs", "calculation-sheet", "check-inputs", "model"}) {
     EXPECT_EQ(count(text, "<section id=\"" + std::string(id) + "\">"), 1u) << id;
   }
-  for (const char* id : {"results", "checks", "figures", "summary", "balance", "moorings"}) {
+  for (const char* id : {"results", "figures", "summary", "balance", "moorings"}) {
     EXPECT_EQ(count(text, "<section id=\"" + std::string(id) + "\">"), 0u) << id;
   }
+  EXPECT_EQ(text.find("Along pipe"), std::string::npos);
 }
 
 TEST(report_objects, a_goal_seek_on_a_hull_is_told_as_that_on_a_lay) {

@@ -7,6 +7,7 @@
 
 #include "base/json.h"
 #include "checks/run_checks.h"
+#include "modelfile/reading/yaml_reader.h"
 #include "recording/run_dynamics.h"
 #include "resultfiles/dynamic/dynamic_reader.h"
 #include "resultfiles/hdf5/hdf5_file.h"
@@ -14,6 +15,7 @@
 #include "statics/moored/moored_lay.h"
 #include "study/run/dynamic_realisation.h"
 #include "study/run/seeds_gather.h"
+#include "study/run/static_run.h"
 #include "support/line_cases.h"
 #include "support/memory_sink.h"
 #include "support/solved_case.h"
@@ -126,6 +128,61 @@ TEST(lines_analysis, takes_the_breaking_load_of_each_segment_over_time) {
   EXPECT_NEAR(*west.utilisation, use, 1e-12);
   EXPECT_GE(*west.utilisation, *lines->statics.lines[0].utilisation);
   EXPECT_FALSE(run.lines.at(1).utilisation);
+}
+
+/// A steel pipe 18 m long, upright in the air between ends 18.02 m apart.
+const std::string kUprightPipe = R"(overbend: 1
+title: A pipe pulled straight
+environment: {water_depth: 20 m, water_weight_density: 10.05 kN/m^3, seabed: {stiffness: 100 kN/m^2, friction: 0.3}}
+lines:
+  - name: riser
+    ends: [{fixed: {x: 0 m, y: 0 m, z: 30 m}}, {fixed: {x: 0 m, y: 0 m, z: 11.98 m}}]
+    segments:
+      - length: 18 m
+        steel: {outside_diameter: 0.2191 m, wall_thickness: 0.0127 m, youngs_modulus: 207 GPa, poissons_ratio: 0.3, yield_stress: 414 MPa, weight_density: 77 kN/m^3}
+        contents: {weight_density: 0 kN/m^3}
+)";
+
+// In the air the stress is the tension over the steel's area: what it is stretched by and half of its weight at the
+// top.
+TEST(lines_analysis, judges_pipe_between_two_ends_by_its_stress) {
+  Model model = build_model(*read_model_text(kUprightPipe, "riser.yaml").description);
+  const StaticResults results = run_statics(model, nullptr).results.value();
+  const double area = std::numbers::pi * (0.2191 - 0.0127) * 0.0127;
+  const double stress = 207e9 * 0.02 / 18.0 + 77e3 * 9.0;
+  const auto row = std::ranges::find(results.checks.rows, "dnv_equivalent_stress", &CheckRow::id);
+  ASSERT_NE(row, results.checks.rows.end());
+  EXPECT_EQ(row->line, "riser");
+  EXPECT_NEAR(row->s, 0.0, 1e-9);
+  EXPECT_NEAR(row->demand, stress, 1e-6 * stress);
+  const auto tension = std::ranges::find(results.checks.rows, "api_tension", &CheckRow::id);
+  ASSERT_NE(tension, results.checks.rows.end());
+  EXPECT_NEAR(tension->demand, stress * area, 1e-6 * stress * area);
+}
+
+// The largest of the run is not known: neither passed nor failed.
+TEST(lines_analysis, does_not_judge_pipe_of_a_line_over_time_by_its_state_at_rest) {
+  Model model = build_model(*read_model_text(kUprightPipe, "riser.yaml").description);
+  const StaticResults rest = run_statics(model, nullptr).results.value();
+  DynamicResults run;
+  run.duration = 10800.0;
+  run.lines.resize(1);
+  const CheckTable table = check_dynamics(model, rest, run);
+  ASSERT_FALSE(table.rows.empty());
+  EXPECT_EQ(table.rows.front().line, "riser");
+  EXPECT_EQ(table.rows.front().status, CheckStatus::outside_validity);
+  EXPECT_EQ(worst_check(table), nullptr);
+}
+
+TEST(lines_analysis, refuses_a_line_that_cannot_reach) {
+  std::string text = kUprightPipe;
+  text.replace(text.find("z: 30 m"), 7, "z: 90 m");
+  Model model = build_model(*read_model_text(text, "riser.yaml").description);
+  const StaticRun run = run_statics(model, nullptr);
+  ASSERT_TRUE(run.failure);
+  EXPECT_TRUE(run.failure->input);
+  EXPECT_EQ(run.failure->key, "lines[0]");
+  EXPECT_NE(run.failure->what.find("line \"riser\" cannot reach"), std::string::npos) << run.failure->what;
 }
 
 TEST(lines_analysis, files_hold_what_was_found) {

@@ -3,7 +3,7 @@ import { governing, level, ranked, sheetTitle, sheetValue } from '../src/logic/c
 import type { Check, SheetLine } from '../src/api/types';
 
 const check = (id: string, region: Check['region'], utilisation: number | undefined, more: Partial<Check> = {}): Check => ({
-  id, name: id, code: '', clause: '', region, governing: true, remark: '', sheet: [],
+  id, name: id, code: '', clause: '', region, governing: true, remark: '', line: '', sheet: [],
   status: utilisation === undefined ? 'not done' : utilisation > 1 ? 'exceeded' : 'passed', utilisation, ...more,
 });
 

@@ -5,7 +5,7 @@ import { shape } from '../src/charts/data';
 import { firstItem } from '../src/logic/firstItems';
 import type { Lay, LineParts, Operation, OperationStage, StageValues } from '../src/api/types';
 
-const values: StageValues = { top_tension: 300e3, bottom_tension: 200e3, head_x: 40, head_z: -15.75, head_clearance: 73, cable_tension: 300e3, cable_utilisation: 0.07, sagbend_von_mises: 60e6, sagbend_strain: 3e-4, overbend_strain: null, stinger_tip_clearance: null, largest_reaction: 14e3, largest_reaction_support: 'ramp 4', lay_back: 360, utilisation: 0.5, check: 'a check', end_height: null, largest_moment: null, largest_bending_stress: null, davit_tension: null };
+const values: StageValues = { top_tension: 300e3, bottom_tension: 200e3, head_x: 40, head_z: -15.75, head_clearance: 73, cable_tension: 300e3, cable_utilisation: 0.07, sagbend_von_mises: 60e6, sagbend_strain: 3e-4, overbend_strain: null, stinger_tip_clearance: null, largest_reaction: 14e3, largest_reaction_support: 'ramp 4', lay_back: 360, utilisation: 0.5, check: 'a check', verdict: 'PASSED', end_height: null, largest_moment: null, largest_bending_stress: null, davit_tension: null };
 const stage = (part: Partial<OperationStage>): OperationStage => ({ name: 'stage 1', out: 92, tension: 300e3, barge_ahead: 0, governing: '', values, parts: null, failure: null, findings: [], ...part });
 const failed = stage({ name: 'down', values: null, failure: { what: 'no equilibrium', where: 'at the winch', why: 'too little tension.', least_tension: 61.5e3 } });
 const operation = (stages: OperationStage[]): Operation => ({ title: 'Abandonment', out_name: 'Cable out', stages, hold_points: [], findings: [] });

@@ -12,9 +12,8 @@ namespace overbend {
 namespace {
 
 std::string place_of(const CheckRow& row) {
-  if (!is_on_pipe(row)) return row.remark;
-  std::string text = shown(row.from_top, "m", 1) + " from the tensioner";
-  if (row.in_time) text += fmt::format(", t = {:.1f} s", row.time);
+  std::string text = check_place(row);
+  if (row.in_time && is_on_pipe(row)) text += fmt::format(", t = {:.1f} s", row.time);
   return text;
 }
 
@@ -36,7 +35,8 @@ std::string check_lines(const CheckTable& table) {
   for (const CheckRow& row : table.rows) {
     if (row.status != CheckStatus::outside_validity || !row.governing) continue;
     text += fmt::format("  {:<28}{:>12} {}, {}: {}\n", fmt::format("check, {}", word(row.region)), "not valid",
-                        title_of(row), row.remark, "neither passed nor failed");
+                        title_of(row) + (row.line.empty() ? "" : ", line \"" + row.line + "\""), row.remark,
+                        "neither passed nor failed");
   }
   return text;
 }

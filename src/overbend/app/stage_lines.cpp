@@ -10,7 +10,9 @@
 #include "base/text.h"
 #include "model/description/operation_words.h"
 #include "model/lay_stage.h"
+#include "results/findings.h"
 #include "results/lift_brief.h"
+#include "results/result_words.h"
 #include "results/sagbend.h"
 
 namespace overbend {
@@ -49,9 +51,12 @@ std::string begin(const LayStageDescription& stage) {
   return fmt::format("  {:<20}{}", for_display(stage.name, 19), gone);
 }
 
-std::string worst_words(const CheckTable& checks) {
-  const CheckRow* worst = worst_check(checks);
-  return worst != nullptr ? fmt::format("{:.2f} {}", worst->utilisation, worst->name) : std::string("-");
+/// The check used most, and the verdict on the stage.
+std::string worst_words(const StageResult& stage) {
+  const CheckRow* worst = worst_check(stage.lay->checks);
+  if (worst == nullptr) return "-";
+  const std::string line = worst->line.empty() ? "" : ", line \"" + for_display(worst->line) + "\"";
+  return fmt::format("{:.2f} {}{}: {}", worst->utilisation, worst->name, line, word(stage_verdict(stage).kind));
 }
 
 /// Of a lift: where ends are, what pipe and davits bear.
@@ -59,7 +64,7 @@ std::string lift_line(const StageResult& stage) {
   const LiftBrief lift = in_brief(*stage.lay->lift);
   return fmt::format("  {:<26}", for_display(stage.stage.name, 25)) + cell(lift.end_height, shown_unit("m"), 2, 11) +
          cell(lift.moment, shown_unit("N m"), 1, 12) + cell(lift.stress, shown_unit("Pa"), 1, 10) +
-         cell(lift.davit_tension, shown_unit("N"), 1, 12) + "  " + worst_words(stage.lay->checks) + "\n";
+         cell(lift.davit_tension, shown_unit("N"), 1, 12) + "  " + worst_words(stage) + "\n";
 }
 
 std::string lift_heads() {
@@ -149,8 +154,7 @@ std::string stage_line(const StageResult& stage) {
     return line + "\n";
   }
   if (stage.lay->lift) return lift_line(stage);
-  line +=
-      cell(stage.lay->top_tension, shown_unit("N"), 1, 10) + found_cells(stage) + "  " + worst_words(stage.lay->checks);
+  line += cell(stage.lay->top_tension, shown_unit("N"), 1, 10) + found_cells(stage) + "  " + worst_words(stage);
   if (!stage.governing.empty()) line += ", tension decided by " + stage.governing;
   return line + "\n";
 }

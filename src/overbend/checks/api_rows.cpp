@@ -131,7 +131,7 @@ double api_bending_at(const CheckStations& all, const CheckStation& station, con
 std::vector<CheckRow> api_rows(const CheckStations& all, const CheckSettings& settings) {
   std::vector<CheckRow> rows = {collapse_row(all, settings), propagation_row(all, settings), tension_row(all, settings),
                                 combined_row(all, settings)};
-  for (const CheckRegion region : kPipeRegions) {
+  for (const CheckRegion region : judged_regions(all)) {
     if (most_used(all, region, [](const CheckStation&) { return 0.0; }) == nullptr) continue;
     rows.push_back(bending_row(all, region, settings));
   }

@@ -27,12 +27,8 @@ void assume_sources(Assumptions& list, const CheckSettings& settings) {
   }
 }
 
-void assume_dnv(Assumptions& list, const CheckStations& all, const CheckSettings& settings) {
-  list.push_back({AssumptionRank::setting,
-                  fmt::format("Code checks: installation, safety class {}; condition factor {:.4g}; no corrosion "
-                              "allowance, fabrication tolerance of the wall {}, ovality {:.4g}.",
-                              word_of(settings.safety_class), settings.condition_factor,
-                              shown_digits(settings.wall_tolerance, section_length(), 4), settings.ovality)});
+/// Which criterion is for which part of a laid pipe.
+void assume_laying(Assumptions& list) {
   list.push_back(
       {AssumptionRank::governing,
        "Code checks: over the supports the pipe conforms to the stinger and is checked as displacement controlled; the "
@@ -42,6 +38,20 @@ void assume_dnv(Assumptions& list, const CheckStations& all, const CheckSettings
                   "Code checks: a Lueders plateau of the stress-strain curve and point loads, which the "
                   "displacement-controlled criterion of DNV-ST-F101 has treated since 2017, do not enter; of steel "
                   "with a plateau the strain capacity may be lower."});
+}
+
+void assume_dnv(Assumptions& list, const CheckStations& all, const CheckSettings& settings) {
+  list.push_back({AssumptionRank::setting,
+                  fmt::format("Code checks: installation, safety class {}; condition factor {:.4g}; no corrosion "
+                              "allowance, fabrication tolerance of the wall {}, ovality {:.4g}.",
+                              word_of(settings.safety_class), settings.condition_factor,
+                              shown_digits(settings.wall_tolerance, section_length(), 4), settings.ovality)});
+  if (all.line.empty()) {
+    assume_laying(list);
+  } else {
+    list.push_back({AssumptionRank::governing,
+                    "Code checks: pipe of lines by themselves is checked as load controlled all along."});
+  }
   const char* current = !all.current_separate ? "with its current" : "without its current";
   list.push_back(
       {AssumptionRank::governing,
@@ -80,7 +90,7 @@ void assume_material(Assumptions& list, const CheckStations& all, const CheckSet
   for (std::size_t i = 0; i < all.sections.size(); ++i) {
     const CheckSection& section = all.sections[i];
     if (section.cable) continue;
-    const std::string where = i == 0 ? "" : fmt::format(" of '{}'", section.name);
+    const std::string where = i == 0 && all.line.empty() ? "" : fmt::format(" of '{}'", section.name);
     if (!section.grade_of_smts.empty()) {
       list.push_back(
           {AssumptionRank::governing,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "checks/check_station.h"
 
@@ -92,7 +93,12 @@ bool any_section(const CheckStations& all, CheckRegion region, OfSection of_sect
   });
 }
 
-inline constexpr std::array<CheckRegion, 5> kPipeRegions = {CheckRegion::tower, CheckRegion::overbend, CheckRegion::tip,
-                                                            CheckRegion::sagbend, CheckRegion::seabed};
+/// The regions that are judged one by one: those of a laid pipe, a line by itself as a whole.
+inline std::span<const CheckRegion> judged_regions(const CheckStations& all) {
+  static constexpr std::array kOfPipe = {CheckRegion::tower, CheckRegion::overbend, CheckRegion::tip,
+                                         CheckRegion::sagbend, CheckRegion::seabed};
+  static constexpr std::array kOfLine = {CheckRegion::line};
+  return all.line.empty() ? std::span<const CheckRegion>(kOfPipe) : kOfLine;
+}
 
 }  // namespace overbend

@@ -62,31 +62,6 @@ FactoredEffects static_effects(const Station& at, const Section& section, bool c
   return e;
 }
 
-/// Design load effects of a state that does not move.
-void factor_static(CheckStation& station, const CheckSection& section, const std::vector<LoadFactors>& combinations) {
-  FactoredEffects& effects = station.effects;
-  for (const LoadFactors& f : combinations) {
-    const double moment = design_size(f, effects.functional, effects.current);
-    const double force = design_value(f, station.force, effects.tension);
-    const double strain = section.strain_factor * design_size(f, effects.functional_strain, effects.current_strain);
-    station.largest_force = std::max(station.largest_force, std::abs(force));
-    if (strain >= station.design_strain) {
-      station.design_strain = strain;
-      effects.strain_factors = f;
-    }
-    const double used = load_terms(section.load, moment, force, station.overpressure, 0.0, station.share).utilisation();
-    if (used >= station.load.value) {
-      station.load.value = used;
-      station.design_moment = moment;
-      station.design_force = force;
-      effects.load_factors = f;
-    }
-  }
-  if (station.region == CheckRegion::overbend && section.strain.holds) {
-    station.bend.value = strain_terms(section.strain, station.design_strain, station.overpressure, 0.0).utilisation();
-  }
-}
-
 constexpr double kBeside = 1e-6;  ///< Of a node where two sections meet [m].
 
 /// Section that the stresses of a station at rest are told of: where two meet, that of the element above, in which the
@@ -111,6 +86,30 @@ std::pair<double, double> functional_at(const StaticResults& statics, double s) 
 }
 
 }  // namespace
+
+void factor_static(CheckStation& station, const CheckSection& section, const std::vector<LoadFactors>& combinations) {
+  FactoredEffects& effects = station.effects;
+  for (const LoadFactors& f : combinations) {
+    const double moment = design_size(f, effects.functional, effects.current);
+    const double force = design_value(f, station.force, effects.tension);
+    const double strain = section.strain_factor * design_size(f, effects.functional_strain, effects.current_strain);
+    station.largest_force = std::max(station.largest_force, std::abs(force));
+    if (strain >= station.design_strain) {
+      station.design_strain = strain;
+      effects.strain_factors = f;
+    }
+    const double used = load_terms(section.load, moment, force, station.overpressure, 0.0, station.share).utilisation();
+    if (used >= station.load.value) {
+      station.load.value = used;
+      station.design_moment = moment;
+      station.design_force = force;
+      effects.load_factors = f;
+    }
+  }
+  if (station.region == CheckRegion::overbend && section.strain.holds) {
+    station.bend.value = strain_terms(section.strain, station.design_strain, station.overpressure, 0.0).utilisation();
+  }
+}
 
 std::size_t section_of_node(const Model& model, double from_top) {
   const std::size_t upper = static_cast<std::size_t>(model.section_at(std::max(0.0, from_top - kBeside)));

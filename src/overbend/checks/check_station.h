@@ -54,6 +54,7 @@ inline bool counts_in(const CheckStation& station, CheckRegion region) {
 }
 
 struct CheckStations {
+  std::string line;  ///< Name of a line by itself; empty: the laid pipe.
   std::vector<CheckSection> sections;
   std::vector<CheckStation> stations;
   bool in_time = false;
@@ -62,6 +63,9 @@ struct CheckStations {
 
   const CheckSection& section_of(const CheckStation& station) const { return sections[station.section]; }
 };
+
+/// Fills the design load effects of a state that does not move: the largest of the combinations.
+void factor_static(CheckStation& station, const CheckSection& section, const std::vector<LoadFactors>& combinations);
 
 /// Section that a node of a run is checked with, where two meet the one whose stresses it has.
 std::size_t section_of_node(const Model& model, double from_top);

@@ -18,47 +18,46 @@ constexpr CheckTitle kLoad = {
 constexpr CheckTitle kBend = {
     "dnv_displacement_controlled", "Local buckling, displacement controlled", kDnv, "5.4.6", "design strain", "1"};
 
+/// A check of a pressure, and the station where it is used most.
+struct PressureCheck {
+  CheckRow row;
+  const CheckStation& station;
+};
+
 /// A pressure along the line against a capacity of the section.
 template <class Capacity>
-CheckRow pressure_row(const CheckTitle& title, const CheckStations& all, Capacity capacity) {
+PressureCheck pressure_check(const CheckTitle& title, const CheckStations& all, Capacity capacity) {
   CheckRow row = row_of(title, CheckRegion::line);
   const CheckStation* worst = most_used(
       all, CheckRegion::line, [&](const CheckStation& at) { return at.overpressure / capacity(all.section_of(at)); });
   place_row(row, *worst);
   judge_ratio(row, std::max(worst->overpressure, 0.0), capacity(all.section_of(*worst)));
-  return row;
-}
-
-const CheckStation& find_station(const CheckStations& all, const CheckRow& row) {
-  return *std::find_if(all.stations.begin(), all.stations.end(),
-                       [&](const CheckStation& station) { return station.s == row.s; });
-}
-
-const CheckSection& section_at(const CheckStations& all, const CheckRow& row) {
-  return all.section_of(find_station(all, row));
+  return {std::move(row), *worst};
 }
 
 CheckRow collapse_row(const CheckStations& all, const CheckSettings& settings) {
-  CheckRow row = pressure_row(kCollapse, all, [](const CheckSection& s) { return s.collapse_thinnest / s.factor; });
-  const CheckSection& section = section_at(all, row);
+  auto [row, station] =
+      pressure_check(kCollapse, all, [](const CheckSection& s) { return s.collapse_thinnest / s.factor; });
+  const CheckSection& section = all.section_of(station);
   row.inputs = {{"p_c(t1)", "collapse pressure", section.collapse_thinnest, "Pa"},
                 {"t1", "wall thickness minus tolerance", section.thinnest, "m"},
                 {"f_y", "characteristic yield stress", section.fy, "Pa"},
                 {"alpha_fab", "fabrication factor", section.alpha_fab, "1"},
                 {"O_0", "ovality", settings.ovality, "1"},
                 {"gamma_m gamma_SC", "resistance factors", section.factor, "1"}};
-  row.sheet = dnv_collapse_sheet(all, find_station(all, row), settings, row.utilisation);
+  row.sheet = dnv_collapse_sheet(all, station, settings, row.utilisation);
   return row;
 }
 
 CheckRow propagation_row(const CheckStations& all, const CheckSettings& settings) {
-  CheckRow row = pressure_row(kPropagation, all, [](const CheckSection& s) { return s.propagation / s.factor; });
-  const CheckSection& section = section_at(all, row);
+  auto [row, station] =
+      pressure_check(kPropagation, all, [](const CheckSection& s) { return s.propagation / s.factor; });
+  const CheckSection& section = all.section_of(station);
   row.governing = false;
   row.inputs = {{"p_pr(t2)", "propagation pressure", section.propagation, "Pa"},
                 {"t2", "wall", section.wall.thickness, "m"},
                 {"gamma_m gamma_SC", "resistance factors", section.factor, "1"}};
-  row.sheet = dnv_propagation_sheet(all, find_station(all, row), settings, row.utilisation);
+  row.sheet = dnv_propagation_sheet(all, station, settings, row.utilisation);
   const auto beyond = [](const CheckSection& s) {
     return s.wall.slenderness() <= 15.0 || s.wall.slenderness() >= 45.0;
   };
@@ -75,11 +74,12 @@ CheckRow crossover_row(const CheckStations& all, const CheckSettings& settings) 
   const auto pressure = [&](const CheckSection& s) {
     return crossover_pressure(s.wall, s.propagation, arrestor.propagation_pressure, arrestor.length);
   };
-  CheckRow row = pressure_row(kCrossover, all, [&](const CheckSection& s) { return pressure(s) / (1.1 * s.factor); });
-  row.inputs = {{"p_X", "cross-over pressure", pressure(section_at(all, row)), "Pa"},
+  auto [row, station] =
+      pressure_check(kCrossover, all, [&](const CheckSection& s) { return pressure(s) / (1.1 * s.factor); });
+  row.inputs = {{"p_X", "cross-over pressure", pressure(all.section_of(station)), "Pa"},
                 {"p_BA", "propagation pressure of the arrestor", arrestor.propagation_pressure, "Pa"},
                 {"L_BA", "length of the arrestor", arrestor.length, "m"}};
-  row.sheet = dnv_crossover_sheet(all, find_station(all, row), settings, row.utilisation);
+  row.sheet = dnv_crossover_sheet(all, station, settings, row.utilisation);
   return row;
 }
 
@@ -176,7 +176,7 @@ CheckRow bend_row(const CheckStations& all, const CheckSettings& settings) {
 std::vector<CheckRow> dnv_rows(const CheckStations& all, const CheckSettings& settings) {
   std::vector<CheckRow> rows = {collapse_row(all, settings), propagation_row(all, settings)};
   if (settings.arrestor) rows.push_back(crossover_row(all, settings));
-  for (const CheckRegion region : kPipeRegions) {
+  for (const CheckRegion region : judged_regions(all)) {
     if (most_used(all, region, [](const CheckStation&) { return 0.0; }) == nullptr) continue;
     if (region == CheckRegion::overbend) rows.push_back(bend_row(all, settings));
     rows.push_back(load_row(all, region, settings));

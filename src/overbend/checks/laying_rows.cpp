@@ -169,11 +169,17 @@ std::vector<CheckRow> laying_rows(const CheckStations& all, const CheckSettings&
     rows.push_back(static_strain_row(all));
     rows.push_back(combined_strain_row(all));
   }
-  for (const CheckRegion region : {CheckRegion::tower, CheckRegion::tip, CheckRegion::sagbend, CheckRegion::seabed}) {
-    if (settings.codes == CheckCodes::api || !has(all, region)) continue;
+  for (const CheckRegion region : judged_regions(all)) {
+    if (settings.codes == CheckCodes::api || region == CheckRegion::overbend || !has(all, region)) continue;
     rows.push_back(stress_row(
         kStress, all, region, [](const CheckSection& s) { return s.stress_limit; },
         [&](CalculationSheet& sheet, const CheckSection& s) { add_stress_limit(sheet, s, settings); }));
+  }
+  if (!all.line.empty()) {
+    if (share.overbend_static || share.sagbend_static) {
+      rows.push_back(not_done(row_of(kShare, CheckRegion::line), "its limits are those of overbend and sagbend"));
+    }
+    return rows;
   }
   const CheckStations rest = at_rest(all);
   add_upper_share(rows, rest, share.overbend_static);

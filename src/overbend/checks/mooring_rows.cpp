@@ -47,6 +47,7 @@ class WorstRow {
            const SafetyFactor& factor) {
     if (!use || !(*use > 0.0) || !(tension > 0.0)) return;
     CheckRow row = row_with(title, {tension, *use, where}, factor);
+    if (&title == &kLine) row.line = where;
     if (!row_ || row.utilisation > row_->utilisation) row_ = std::move(row);
   }
   void put(std::vector<CheckRow>& rows, bool in_time) {
@@ -124,6 +125,18 @@ void add_run(MooringWorst& worst, const Description& description, const DynamicR
   }
 }
 
+/// Names of the wires on other lines whose breaking load is not given.
+std::string wires_without_strength(const Description& description) {
+  std::string names;
+  for (const FreeLineDescription& line : description.lines) {
+    const bool on_another = line.first.kind == LineEndKind::line || line.second.kind == LineEndKind::line;
+    const bool known =
+        std::ranges::any_of(line.segments, [](const auto& segment) { return segment.type.breaking_load.has_value(); });
+    if (on_another && !known && !has_pipe_section(line)) names += (names.empty() ? "" : ", ") + line.name;
+  }
+  return names;
+}
+
 }  // namespace
 
 SafetyFactor mooring_safety_factor(const SafetyFactors& given, bool damaged, TensionAnalysis analysis) {
@@ -180,6 +193,9 @@ std::vector<CheckRow> line_rows(const Description& description, const std::vecto
   }
   std::vector<CheckRow> rows;
   worst.put(rows, in_time != nullptr);
+  if (const std::string wires = wires_without_strength(description); !wires.empty()) {
+    rows.push_back(not_done(row_of(kLine, CheckRegion::line), "no breaking load is given of " + wires));
+  }
   return rows;
 }
 

@@ -37,7 +37,7 @@ SafetyFactor cable_safety_factor(const SafetyFactors& given);
 std::vector<CheckRow> mooring_rows(const Description& description, const MooringResults& rest,
                                    const DynamicResults* dynamics);
 
-/// Of lines by themselves: the line used most.
+/// Of lines by themselves: the line used most; wires on other lines without a breaking load by name.
 std::vector<CheckRow> line_rows(const Description& description, const std::vector<LineResult>& lines,
                                 const std::vector<LineDynamics>* in_time);
 

@@ -7,8 +7,9 @@
 #include "base/constants.h"
 #include "checks/calculation_sheet.h"
 #include "checks/check_assumptions.h"
+#include "checks/check_row.h"
 #include "checks/check_rows.h"
-#include "checks/lift_rows.h"
+#include "checks/line_stations.h"
 #include "checks/mooring_rows.h"
 
 namespace overbend {
@@ -85,6 +86,26 @@ std::vector<CheckRow> rows_of_pipe(const CheckStations& all, const CheckSettings
   return rows;
 }
 
+/// Of a line by itself, each row with its name. Bending moments of lines are not kept over time.
+std::vector<CheckRow> rows_of_line(const CheckStations& line, const Model& model, bool in_time) {
+  const CheckSettings& settings = model.description.checks;
+  std::vector<CheckRow> rows;
+  if (in_time && !line.stations.empty()) {
+    static constexpr CheckTitle kPipe = {"line_pipe", "Pipe of a line", "DNV-ST-F101, API RP 1111", "", "", ""};
+    outside(rows.emplace_back(row_of(kPipe, CheckRegion::line)),
+            "bending moments of lines are not kept over time; the statics of the model have its checks");
+  } else {
+    rows = rows_of_pipe(line, settings);
+  }
+  for (CheckRow& row : rows) {
+    row.line = line.line;
+    if (row.id != "dnv_load_controlled" || !raises_factors_for_current(model.description)) continue;
+    row.remark += row.remark.empty() ? "" : "; ";
+    row.remark += "in a current: all load effects have the factor of environmental ones";
+  }
+  return rows;
+}
+
 /// Of every object that is there. `dynamics`: of a run from that rest, or null.
 CheckTable table_of(const Model& model, const StaticResults& statics, const DynamicResults* dynamics,
                     const CheckStations& all) {
@@ -95,7 +116,9 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
   const auto pipe_rows = static_cast<std::ptrdiff_t>(table.rows.size());
   append(table.rows, equipment_rows(model, statics, dynamics));
   if (statics.moorings) append(table.rows, mooring_rows(model.description, *statics.moorings, dynamics));
-  if (statics.lift) append(table.rows, lift_rows(model.description, *statics.lift));
+  const std::vector<CheckStations> lines =
+      statics.lift ? line_stations(model, *statics.lift) : std::vector<CheckStations>{};
+  for (const CheckStations& line : lines) append(table.rows, rows_of_line(line, model, dynamics != nullptr));
   append(table.rows, line_rows(model.description, statics.lines, dynamics != nullptr ? &dynamics->lines : nullptr));
   if (dynamics != nullptr && dynamics->duration < kThreeHours) {
     for (auto row = table.rows.begin(); row != table.rows.end(); ++row) {
@@ -108,6 +131,9 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
   }
   table.along = utilisations_along(all, settings);
   table.assumptions = check_assumptions(all, settings);
+  for (const CheckStations& line : lines) {
+    table.assumptions = merge(std::move(table.assumptions), check_assumptions(line, settings));
+  }
   return table;
 }
 

@@ -15,9 +15,10 @@ Findings unjudged_checks(const CheckTable& table) {
   Findings all;
   for (const CheckRow& row : table.rows) {
     if (!row.governing || row.status != CheckStatus::outside_validity) continue;
-    Finding finding =
-        Finding{FindingCode::check_not_judged, "not judged: " + row.name + ", " + row.code + " (" + row.remark + ")"}
-            .on(row.name);
+    const std::string where = row.line.empty() ? "" : ", line \"" + row.line + "\"";
+    Finding finding = Finding{FindingCode::check_not_judged,
+                              "not judged: " + row.name + where + ", " + row.code + " (" + row.remark + ")"}
+                          .on(row.name + where);
     if (std::ranges::find(all, finding) == all.end()) all.push_back(std::move(finding));
   }
   return all;

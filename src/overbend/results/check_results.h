@@ -75,8 +75,9 @@ struct CheckRow {
   double demand = 0.0, capacity = 0.0;
   double utilisation = 0.0;
   double reserve = 0.0;     ///< Factor on the load effects that brings the utilisation to 1 [-].
-  double s = 0.0;           ///< Arc length from the anchor [m].
-  double from_top = 0.0;    ///< Along the pipe from the tensioner [m].
+  std::string line;         ///< Name of the line by itself that is judged; empty: the laid pipe, equipment, moorings.
+  double s = 0.0;           ///< Arc length from the anchor, of a line by itself from its first end [m].
+  double from_top = 0.0;    ///< Along the laid pipe from the tensioner [m].
   Vec3 p_W = Vec3::Zero();  ///< Place in the static state [m].
   bool in_time = false;     ///< False: of the static state.
   double time = 0.0;        ///< When, where in_time [s].

@@ -45,6 +45,11 @@ Findings operation_findings(const OperationResults& results) {
   return all;
 }
 
+Verdict stage_verdict(const StageResult& stage) {
+  if (stage.lay) return make_verdict(stage.lay->checks, stage_findings(stage));
+  return {VerdictKind::exceeded, "NO EQUILIBRIUM", stage.failure ? stage.failure->why : ""};
+}
+
 CheckTable operation_checks(const OperationResults& results) {
   CheckTable all;
   for (const StageResult& stage : results.stages) {

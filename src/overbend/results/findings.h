@@ -15,6 +15,9 @@ Findings all_findings(const StaticResults& statics, const DynamicResults& result
 /// of the stages that have it where not all do.
 Findings operation_findings(const OperationResults& results);
 
+/// Of one stage: its checks with its findings; exceeded where it has no equilibrium.
+Verdict stage_verdict(const StageResult& stage);
+
 /// The checks of all stages in one table.
 CheckTable operation_checks(const OperationResults& results);
 

@@ -37,21 +37,25 @@ struct LiftedEnd {
   double vertical_force = 0.0;    ///< With which it is held up [N].
 };
 
-/// A line that bends: a node of it.
+/// A line that bends: a node of it. Where the tension jumps (attachments, clumps, buoys) or the section changes two
+/// follow each other at one place: the side of the first end, then that of the second.
 struct LiftedNode {
   LinePlace at;
-  double tension = 0.0;                     ///< Effective, on the side of the first end [N].
-  double shear = 0.0;                       ///< Of the other side on that, square to the axis, up [N].
+  int segment = 0;                          ///< Of the line, from 0, on this side.
+  double tension = 0.0;                     ///< Effective [N].
+  double shear = 0.0;                       ///< Force of the second side on the first, square to the axis, up [N].
   double sagging = 0.0, sideways = 0.0;     ///< Bending moments [N m].
   double stress = 0.0, yield_stress = 0.0;  ///< Of bending, and what the steel bears; 0 where there is none [Pa].
-  double wall_area = 0.0;                   ///< Of the steel [m2].
+  double von_mises = 0.0;                   ///< Largest over the section [Pa].
+  double strain = 0.0;                      ///< Largest longitudinal strain magnitude at the outer fibre [-].
 };
 
+/// A line with pipe in it.
 struct LiftedLine {
   std::string name;
   LiftedEnd first, second;
   MomentPlace sagging, hogging, bending;  ///< The largest; `hogging` counts positive, `bending` is without a sign.
-  double bending_stress = 0.0;            ///< The largest [Pa].
+  double bending_stress = 0.0, von_mises = 0.0;       ///< The largest [Pa].
   double largest_tension = 0.0, least_tension = 0.0;  ///< Effective [N].
   std::vector<BedStretch> on_bed;
   std::optional<LinePlace> lift_off;    ///< Of what lies, nearest to a free end, else to the first.

@@ -277,7 +277,7 @@ struct StaticResults {
   std::vector<RollerFrictionCase> roller_friction;  ///< Where rollers have friction: the limits and the way of laying.
 
   std::optional<HullResults> hull;         ///< Of a hull with hydrodynamic coefficients.
-  std::optional<LiftResults> lift;         ///< Of lines that hold each other.
+  std::optional<LiftResults> lift;         ///< Of lines that are pipe, and of lines that hold each other.
   std::vector<LineResult> lines;           ///< That stand by themselves.
   std::optional<MooringResults> moorings;  ///< Of a vessel on mooring lines: where it lies, and the lines.
 

@@ -42,8 +42,7 @@ std::string reasons(const CheckTable& table) {
                          ? "No governing check is exceeded."
                          : fmt::format("{} governing check{} exceeded.", exceeded, exceeded == 1 ? " is" : "s are");
   text += fmt::format(" The largest utilisation is {}: {}, {}{}.", fixed(worst->utilisation, 3), check_words(*worst),
-                      is_on_pipe(*worst) ? shown(worst->from_top, "m", 1) + " from the tensioner" : worst->remark,
-                      worst->in_time ? ", t = " + fixed(worst->time, 1) + " s" : "");
+                      check_place(*worst), worst->in_time ? ", t = " + fixed(worst->time, 1) + " s" : "");
   if (invalid > 0) {
     text += fmt::format(" {} outside the validity of {}: neither passed nor failed.", invalid,
                         invalid == 1 ? "its formula" : "their formulas");
@@ -54,8 +53,13 @@ std::string reasons(const CheckTable& table) {
 }  // namespace
 
 bool is_on_pipe(const CheckRow& row) {
-  return !row.id.starts_with("mooring_") && row.id != "anchor_load" && row.id != "line_load" &&
-         !row.id.starts_with("lift_");
+  return row.line.empty() && !row.id.starts_with("mooring_") && row.id != "anchor_load" && row.id != "line_load";
+}
+
+std::string check_place(const CheckRow& row) {
+  if (is_on_pipe(row)) return shown(row.from_top, "m", 1) + " from the tensioner";
+  if (row.line.empty() || row.id == "line_load") return row.remark;
+  return fmt::format("line \"{}\", {} from its first end", row.line, shown(row.s, "m", 1));
 }
 
 VerdictKind verdict_kind(const CheckTable& table, const Findings& findings) {

@@ -36,8 +36,12 @@ std::string serious_codes(const Findings& findings);
 /// "2 serious findings: pipe-off-rollers, compression"; empty without.
 std::string reservation(const Findings& findings);
 
-/// False of checks of mooring lines, anchors and lines by themselves, which have no place on the pipe.
+/// False of checks of mooring lines, anchors and lines by themselves, which have no place on the laid pipe.
 bool is_on_pipe(const CheckRow& row);
+
+/// "12.3 m from the tensioner"; "line "west pipe", 33.0 m from its first end"; of moorings and wires the remark, which
+/// names them.
+std::string check_place(const CheckRow& row);
 
 /// The governing and judged check of a region that is used most; null without one.
 const CheckRow* governing_check(const CheckTable& table, CheckRegion region);

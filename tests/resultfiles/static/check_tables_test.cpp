@@ -51,9 +51,15 @@ TEST(check_tables, the_calculation_sheet_has_a_row_per_line_with_values_in_si) {
                {"p_b", "pressure", "f_y 2/sqrt(3)", 0.5e9, "Pa", "5.4.2", Confirmation::unconfirmed, ""}};
   const std::string text = calculation_sheet_table(table);
   EXPECT_EQ(text,
-            "check,code,clause,region,s [m],symbol,meaning,formula,value,units,origin,confirmation,sources\r\n"
-            "Burst,Code (2021),5.4.2,line,12.5,f_y,strength,,430000000,Pa,5.3.3,two or more sources,A; B\r\n"
-            "Burst,Code (2021),5.4.2,line,12.5,p_b,pressure,f_y 2/sqrt(3),500000000,Pa,5.4.2,unconfirmed,\r\n");
+            "check,code,clause,region,s [m],symbol,meaning,formula,value,units,origin,confirmation,sources,line\r\n"
+            "Burst,Code (2021),5.4.2,line,12.5,f_y,strength,,430000000,Pa,5.3.3,two or more sources,A; B,\r\n"
+            "Burst,Code (2021),5.4.2,line,12.5,p_b,pressure,f_y 2/sqrt(3),500000000,Pa,5.4.2,unconfirmed,,\r\n");
+  row.line = "west pipe";
+  const std::string staged = calculation_sheet_table({{"raised", table}});
+  EXPECT_EQ(staged.find("stage,check,code"), 0u);
+  EXPECT_NE(staged.find("raised,Burst,Code (2021),5.4.2,line,12.5,f_y,strength,,430000000,Pa,5.3.3,"
+                        "two or more sources,A; B,west pipe\r\n"),
+            std::string::npos);
 }
 
 TEST(check_tables, json_names_the_worst_and_leaves_out_what_is_not_done) {

@@ -4,12 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <stdexcept>
 
 #include "base/constants.h"
 #include "base/json.h"
 #include "modelfile/reading/yaml_reader.h"
+#include "resultfiles/stages/operation_reader.h"
 #include "resultfiles/static/case_summary.h"
+#include "resultfiles/static/check_tables.h"
+#include "results/findings.h"
+#include "study/run/recheck.h"
 #include "study/run/static_run.h"
+#include "study/stages/lay_operation.h"
+#include "support/solved_case.h"
 
 namespace overbend {
 namespace {
@@ -134,32 +142,226 @@ TEST(lift, with_friction_keeps_what_it_was_pulled_by) {
   EXPECT_LT(std::abs(rubbing.lines[0].second.horizontal_force), 0.9 * std::abs(free_of_friction));
 }
 
-/// Of the check of stress, the first of a lift.
-const CheckRow& stress_row(const OperationResults& results) {
-  return results.stages.back().lay->checks.rows.front();
+const StaticResults& last_state(const OperationResults& results) {
+  return *results.stages.back().lay;
 }
 
-// Von Mises in closed form: the hoop stress of thin-walled pipe by Barlow's formula, of the fibre that is worse off.
+const CheckRow& row_named(const StaticResults& state, const std::string& id, const std::string& line) {
+  const auto row =
+      std::ranges::find_if(state.checks.rows, [&](const CheckRow& r) { return r.id == id && r.line == line; });
+  if (row == state.checks.rows.end()) throw std::runtime_error("no check " + id + " of " + line);
+  return *row;
+}
+
+/// Pipe of DL8-one, its formulas written down once more.
+struct Pipe {
+  double D, t, inside_pressure, water;
+
+  explicit Pipe(const Description& d)
+      : D(d.lines[0].segments[0].section->steel.outside_diameter),
+        t(d.lines[0].segments[0].section->steel.wall_thickness),
+        inside_pressure(d.lines[0].segments[0].section->internal_pressure),
+        water(d.environment.water_weight_density) {}
+  double outside(const LiftedNode& node) const { return water * std::max(-node.at.place.z(), 0.0); }
+  double area() const { return std::numbers::pi * (D - t) * t; }
+
+  /// Lame and Hencky: thick wall, both fibres, both surfaces.
+  double von_mises(const LiftedNode& node) const {
+    const double ro = 0.5 * D, ri = ro - t, po = outside(node), pi = inside_pressure;
+    const double true_tension = node.tension - po * std::numbers::pi * ro * ro + pi * std::numbers::pi * ri * ri;
+    const double second_moment = 0.25 * std::numbers::pi * (std::pow(ro, 4) - std::pow(ri, 4));
+    double worst = 0.0;
+    for (const double r : {ri, ro}) {
+      const double mean = (pi * ri * ri - po * ro * ro) / (ro * ro - ri * ri);
+      const double part = (pi - po) * ri * ri * ro * ro / (r * r * (ro * ro - ri * ri));
+      for (const double side : {-1.0, 1.0}) {
+        const double axial = true_tension / area() + side * std::hypot(node.sagging, node.sideways) * r / second_moment;
+        const double hoop = mean + part, radial = mean - part;
+        worst = std::max(worst, std::sqrt(0.5 * (std::pow(axial - hoop, 2) + std::pow(hoop - radial, 2) +
+                                                 std::pow(radial - axial, 2))));
+      }
+    }
+    return worst;
+  }
+
+  /// DNV-ST-F101 5.4.6, static, functional load factor 1.2 (system effects), safety class low, UOE, X60.
+  double load_controlled(const LiftedNode& node) const {
+    const double fy = 0.96 * 414e6, fu = 0.96 * 517e6, gamma = 1.15 * 1.04, factor = 1.2;
+    const double beta = (60.0 - D / t) / 90.0, alpha = 1.0 - beta + beta * fu / fy;
+    const double m = gamma * factor * std::hypot(node.sagging, node.sideways) / (alpha * fy * (D - t) * (D - t) * t);
+    const double axial = gamma * factor * node.tension / (alpha * fy * std::numbers::pi * (D - t) * t);
+    const double q = gamma * std::max(outside(node) - inside_pressure, 0.0) / collapse(fy);
+    return std::pow(m + axial * axial, 2) + q * q;
+  }
+
+  /// The cubic of 5.4.4 by bisection.
+  double collapse(double fy) const {
+    const double elastic = 2.0 * 207e9 * std::pow(t / D, 3) / (1.0 - 0.09), plastic = 2.0 * fy * 0.85 * t / D;
+    double low = 0.0, high = std::min(elastic, plastic);
+    for (int i = 0; i < 200; ++i) {
+      const double p = 0.5 * (low + high);
+      const double left = (elastic - p) * (plastic * plastic - p * p);
+      (left > p * elastic * plastic * 0.005 * D / t ? low : high) = p;
+    }
+    return low;
+  }
+};
+
+// The formulas of a laid pipe, with forces, moments and pressures of the line: evaluated apart from the program.
+TEST(lift, judges_pipe_of_lines_by_the_formulas_of_a_laid_pipe) {
+  const Description d = read_case("DL8-one");
+  const StaticResults state = last_state(solve(d));
+  const Pipe pipe(d);
+  double stress = 0.0, load = 0.0, pressure = 0.0;
+  for (const LiftedNode& node : state.lift->lines[0].nodes) {
+    stress = std::max(stress, pipe.von_mises(node));
+    load = std::max(load, pipe.load_controlled(node));
+    pressure = std::max(pressure, pipe.outside(node));
+  }
+  EXPECT_NEAR(row_named(state, "dnv_equivalent_stress", "pipe").demand, stress, 1e-6 * stress);
+  EXPECT_NEAR(row_named(state, "dnv_equivalent_stress", "pipe").capacity, 0.87 * 0.96 * 414e6, 1.0);
+  EXPECT_NEAR(row_named(state, "dnv_load_controlled", "pipe").utilisation, load, 1e-5 * load);
+  EXPECT_EQ(row_named(state, "dnv_collapse", "pipe").demand, pressure);
+  for (const char* id : {"dnv_propagation", "api_collapse", "api_tension", "api_bending_pressure"}) {
+    EXPECT_TRUE(row_named(state, id, "pipe").judged()) << id;
+  }
+}
+
 TEST(lift, judges_the_stress_with_that_of_pressure) {
   Description d = read_case("DL8-one");
-  const double empty = stress_row(solve(d)).demand;
-  SectionDescription& pipe = *d.lines[0].segments[0].section;
-  pipe.internal_pressure = 10e6;
-  const OperationResults results = solve(d);
-  const CheckRow& row = stress_row(results);
-  EXPECT_GT(row.demand, 1.1 * empty);
-  const LiftedLine& line = results.stages.back().lay->lift->lines[0];
-  const auto node = std::ranges::find(line.nodes, row.s, [](const LiftedNode& one) { return one.at.arc_length; });
-  const double wall = pipe.steel.wall_thickness, outside = pipe.steel.outside_diameter, bore = outside - 2.0 * wall;
-  const double depth = std::max(-node->at.place.z(), 0.0);
-  const double hoop = (10e6 * bore - d.environment.water_weight_density * depth * outside) / (2.0 * wall);
-  const double area = 0.25 * 3.14159265358979 * (outside * outside - bore * bore);
-  double worst = 0.0;
-  for (const double bending : {node->stress, -node->stress}) {
-    const double along = node->tension / area + bending;
-    worst = std::max(worst, std::sqrt(along * along - along * hoop + hoop * hoop));
+  d.operation.lay.stages.resize(1);
+  d.lines[0].segments[0].section->internal_pressure = 10e6;
+  const StaticResults state = last_state(solve(d));
+  double stress = 0.0;
+  for (const LiftedNode& node : state.lift->lines[0].nodes) stress = std::max(stress, Pipe(d).von_mises(node));
+  EXPECT_NEAR(row_named(state, "dnv_equivalent_stress", "pipe").demand, stress, 1e-6 * stress);
+}
+
+TEST(lift, uses_pipe_alike_whatever_its_elements) {
+  Description d = read_case("DL8-one");
+  d.operation.lay.stages.resize(2);
+  const double own = row_named(last_state(solve(d)), "dnv_load_controlled", "pipe").utilisation;
+  for (const double element : {0.31, 0.9}) {
+    d.lines[0].element = element;
+    EXPECT_NEAR(row_named(last_state(solve(d)), "dnv_load_controlled", "pipe").utilisation, own, 5e-3 * own);
   }
-  EXPECT_NEAR(row.demand, worst, 1e-6 * worst);
+}
+
+/// The two sides of a place.
+std::pair<LiftedNode, LiftedNode> sides(const LiftedLine& line, double arc_length) {
+  const auto first = std::ranges::find_if(
+      line.nodes, [&](const LiftedNode& node) { return std::abs(node.at.arc_length - arc_length) < 1e-6; });
+  EXPECT_NE(first, line.nodes.end());
+  return {*first, *(first + 1)};
+}
+
+TEST(lift, gives_both_sides_of_an_attachment_their_tension_and_stress) {
+  const Description d = read_case("DL8-one");
+  const StaticResults state = last_state(solve(d));
+  const LiftedWire& wire = state.lift->davits[0];
+  const auto [before, behind] = sides(state.lift->lines[0], 10.0);
+  EXPECT_EQ(behind.at.arc_length, before.at.arc_length);
+  EXPECT_NEAR(before.tension, wire.tension_before, 1e-9);
+  EXPECT_NEAR(behind.tension, wire.tension_after, 1e-9);
+  EXPECT_NEAR(behind.shear, wire.shear_after, 1e-9);
+  EXPECT_GT(std::abs(behind.tension - before.tension), 1e3);
+  const Pipe pipe(d);
+  EXPECT_NEAR(before.von_mises, pipe.von_mises(before), 1e-6 * before.von_mises);
+  EXPECT_NEAR(behind.von_mises, pipe.von_mises(behind), 1e-6 * behind.von_mises);
+  EXPECT_GT(std::abs(behind.von_mises - before.von_mises), 1e3);
+}
+
+// What holds up a clump is the difference of the forces on its two sides.
+TEST(lift, gives_both_sides_of_a_clump_their_tension) {
+  Description d = read_case("DL8-one");
+  const double weight = 4e3;
+  LinePointDescription clump;
+  clump.name = "clamp";
+  clump.at = 22.0;
+  clump.mass = weight / kGravity;
+  clump.net_force = -weight;
+  d.lines[0].points.push_back(clump);
+  const LiftedLine line = last(solve(d)).lines[0];
+  const auto [before, behind] = sides(line, 22.0);
+  ASSERT_EQ(behind.at.arc_length, before.at.arc_length);
+  EXPECT_NEAR(std::hypot(behind.tension - before.tension, behind.shear - before.shear), weight, 1e-6 * weight);
+  EXPECT_NEAR(behind.sagging, before.sagging, 1e-6);
+}
+
+TEST(lift, has_one_verdict_for_every_stage) {
+  Description d = read_case("DL8-one");
+  d.lines[0].segments[0].section->steel.yield_stress = 120e6;
+  const OperationResults results = solve(d);
+  const Json stages = operation_summary_json(results)["operation"]["stages"];
+  bool any = false;
+  for (std::size_t i = 0; i < results.stages.size(); ++i) {
+    const StageResult& stage = results.stages[i];
+    const double most = worst_check(stage.lay->checks)->utilisation;
+    const bool exceeded = stage_verdict(stage).kind == VerdictKind::exceeded;
+    EXPECT_EQ(exceeded, most > 1.0) << stage.stage.name;
+    EXPECT_EQ(stages[i]["verdict"]["words"], stage_verdict(stage).words);
+    EXPECT_EQ(stages[i]["checks"]["worst"]["line"], worst_check(stage.lay->checks)->line);
+    any = any || exceeded;
+  }
+  EXPECT_TRUE(any);
+  EXPECT_EQ(operation_verdict(results).kind, VerdictKind::exceeded);
+}
+
+// The current's part is not found apart: none of the load effects may have the smaller factor.
+TEST(lift, takes_all_load_effects_as_environmental_in_a_current) {
+  Description d = read_case("DL8-one");
+  d.operation.lay.stages.resize(1);
+  const CheckRow still = row_named(last_state(solve(d)), "dnv_load_controlled", "pipe");
+  d.environment.current = {{0.0, 1e-6, 0.0}};
+  const CheckRow row = row_named(last_state(solve(d)), "dnv_load_controlled", "pipe");
+  EXPECT_NEAR(row.demand, 1.3 / 1.2 * still.demand, 1e-5 * row.demand);
+  d.checks.current_load = CurrentLoad::functional;
+  EXPECT_NEAR(row_named(last_state(solve(d)), "dnv_load_controlled", "pipe").demand, still.demand, 1e-5 * still.demand);
+}
+
+TEST(lift, names_wires_whose_breaking_load_is_not_given) {
+  Description d = read_case("DL8-one");
+  d.operation.lay.stages.resize(1);
+  d.lines[1].segments[0].type.breaking_load.reset();
+  const StaticResults state = last_state(solve(d));
+  const auto row = std::ranges::find(state.checks.rows, "line_load", &CheckRow::id);
+  ASSERT_NE(row, state.checks.rows.end());
+  EXPECT_EQ(row->status, CheckStatus::not_done);
+  EXPECT_NE(row->remark.find("davit 1"), std::string::npos);
+}
+
+// 900 m away neither wire nor pipe, straight and stretched, are long enough.
+TEST(lift, refuses_a_stage_in_which_a_wire_cannot_reach) {
+  Description d = read_case("DL8-one");
+  EXPECT_FALSE(operation_obstacle(d));
+  d.operation.lay.stages[2].vessel = VesselOffset{900.0, 0.0, 0.0};
+  const std::optional<StaticFailure> failure = operation_obstacle(d);
+  ASSERT_TRUE(failure);
+  EXPECT_TRUE(failure->input);
+  EXPECT_EQ(failure->key, "operation.stages[2]");
+  EXPECT_NE(failure->what.find("davit 1"), std::string::npos) << failure->what;
+  EXPECT_NE(failure->where.find(d.operation.lay.stages[2].name), std::string::npos) << failure->where;
+}
+
+TEST(lift, refuses_a_wire_that_would_carry_several_times_its_breaking_load_and_goes_on) {
+  Description d = read_case("DL8-one");
+  d.operation.lay.stages[1].lengths = {{"davit 1", 1e-3}};
+  const OperationResults results = solve(d);
+  ASSERT_TRUE(results.stages[1].failure);
+  EXPECT_NE(results.stages[1].failure->where.find("davit 1"), std::string::npos);
+  EXPECT_NE(results.stages[1].failure->why.find("times its breaking load"), std::string::npos);
+  EXPECT_EQ(stage_verdict(results.stages[1]).words, "NO EQUILIBRIUM");
+  EXPECT_TRUE(results.stages.back().lay);
+}
+
+TEST(lift, tells_which_line_does_not_get_where_a_stage_wants_it) {
+  Description d = read_case("DL8-one");
+  d.operation.lay.stages.resize(1);
+  d.operation.lay.stages[0].lengths.clear();
+  d.operation.lay.stages[0].tensions = {{"davit 1", 1e13}};
+  const OperationResults results = solve(d);
+  ASSERT_TRUE(results.stages[0].failure);
+  EXPECT_NE(results.stages[0].failure->where.find("davit 1"), std::string::npos);
 }
 
 // A stretch with a thicker coating touches the bed where its own underside does.
@@ -255,6 +457,32 @@ TEST(lift, hangs_a_pipe_written_as_a_line_as_the_lay_does) {
   const StaticResults hung = run_statics(line).results.value();
   EXPECT_NEAR(hung.lines[0].first.tension, laid.top_tension, 1e-4 * laid.top_tension);
   EXPECT_NEAR(hung.lines[0].second.tension, laid.bottom_tension, 1e-3 * laid.bottom_tension);
+}
+
+/// The table as scripts read it.
+std::string text_of(const CheckTable& table) {
+  return checks_table(table) + calculation_sheet_table(table);
+}
+
+TEST(lift, writes_its_checks_and_lines_and_checks_what_is_stored_alike) {
+  Description d = read_case("DL12-three");
+  d.operation.lay.stages.resize(2);
+  const OperationResults results = solve(d);
+  const testing::TemporaryFolder folder;
+  write_operation_run(results, d, folder.path() / "out");
+  for (const char* file : {"checks.csv", "calculation_sheet.csv", "lines.csv", "stages.csv"}) {
+    const std::string text = testing::file_text(folder.path() / "out" / file);
+    EXPECT_NE(text.find("stage"), std::string::npos) << file;
+    EXPECT_NE(text.find(results.stages[1].stage.name), std::string::npos) << file;
+  }
+  const std::vector<LineResult> lines =
+      read_operation_results(folder.path() / "out/results.h5").results.stages[1].lay->lines;
+  ASSERT_EQ(lines.size(), d.lines.size());
+  EXPECT_EQ(lines.back().nodes.back().place, results.stages[1].lay->lines.back().nodes.back().place);
+  const RecheckedOperation again = recheck_operation(folder.path() / "out/results.h5", {});
+  for (std::size_t i = 0; i < results.stages.size(); ++i) {
+    EXPECT_EQ(text_of(again.results.stages[i].lay->checks), text_of(results.stages[i].lay->checks));
+  }
 }
 
 }  // namespace

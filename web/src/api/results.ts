@@ -241,6 +241,7 @@ export interface Check {
   status: 'passed' | 'exceeded' | 'outside validity' | 'not done';
   governing: boolean;
   remark: string;
+  line: string;
   utilisation?: number;
   reserve?: number;
   quantity?: string;
@@ -305,6 +306,7 @@ export interface StageValues {
   davit_tension: number | null;
   utilisation: number | null;
   check: string;
+  verdict: string;
 }
 
 export interface LineParts {
@@ -434,6 +436,7 @@ export interface CheckInFull {
   at?: { s: number; from_top: number; x: number; y: number; z: number; };
   time?: number | null;
   remark: string;
+  line: string;
   inputs: { symbol: string; meaning: string; value: number; units: string; }[];
   sheet: SheetLine[];
 }

@@ -13,11 +13,11 @@ const used = (c: Check): string => (c.utilisation === undefined ? '–' : tidy(c
 function Governing({ check }: { check: Check }) {
   return (
     <div class={`region ${level(check)}`}>
-      <button type="button" class="regionhead" title={`${check.name}; ${check.code} ${check.clause}. Show its location`} onClick={() => { cursor.value = check.at?.from_top ?? null; }}>
+      <button type="button" class="regionhead" title={`${check.name}; ${check.code} ${check.clause}. Show its location`} onClick={() => { cursor.value = check.line ? null : check.at?.from_top ?? null; }}>
         <span>{regionName(check.region)}</span><b>{used(check)}</b>
       </button>
       <div class="bar" role="presentation"><i style={{ width: `${Math.min(100, 100 * (check.utilisation ?? 0))}%` }} /></div>
-      <p class="brief">{check.name}</p>
+      <p class="brief">{check.name}{check.line ? `, ${check.line}` : ''}</p>
     </div>
   );
 }
@@ -42,7 +42,7 @@ function Row({ check }: { check: Check }) {
   return (
     <>
       <tr class={level(check)} title={title}>
-        <td>{there ? <button type="button" class="fold" aria-expanded={open} title="Calculation of this check" onClick={() => { setOpen(!open); }}>{check.name}</button> : check.name}<small>{regionName(check.region)}, {check.code}</small></td>
+        <td>{there ? <button type="button" class="fold" aria-expanded={open} title="Calculation of this check" onClick={() => { setOpen(!open); }}>{check.name}</button> : check.name}<small>{check.line || regionName(check.region)}, {check.code}</small></td>
         <td>{used(check)}</td>
         <td>{check.governing ? check.status : 'information'}</td>
       </tr>
@@ -65,7 +65,7 @@ export function Checks() {
       <details>
         <summary>All checks</summary>
         {deciding.map((c) => <Governing key={c.region} check={c} />)}
-        <table class="checks"><tbody>{ranked(checks).map((c) => <Row key={`${c.id} ${c.region} ${c.remark}`} check={c} />)}</tbody></table>
+        <table class="checks"><tbody>{ranked(checks).map((c) => <Row key={`${c.id} ${c.line} ${c.region} ${c.remark}`} check={c} />)}</tbody></table>
         <p class="brief">Utilisation; above 1 is exceeded. Click a check for its calculation, with clauses and what confirms them.</p>
       </details>
     </section>

@@ -57,7 +57,7 @@ function Table() {
   return (
     <div class="scrolled">
       <table class={`stages${outdated.value ? ' old' : ''}`} aria-label="Stages of the operation">
-        <thead><tr><th scope="col">stage</th>{columns.map((c) => <th key={c.name} scope="col" title={c.title}>{c.name}<small>{columnUnit(c) || '–'}</small></th>)}</tr></thead>
+        <thead><tr><th scope="col">stage</th>{columns.map((c) => <th key={c.name} scope="col" title={c.title}>{c.name}<small>{columnUnit(c) || '–'}</small></th>)}<th scope="col" title="Of the checks and findings of the stage">verdict</th></tr></thead>
         <tbody>
           {o.stages.map((s, i) => {
             const level = stageLevel(s), holds = o.hold_points.filter((h) => h.stage === i);
@@ -67,7 +67,7 @@ function Table() {
                   <button type="button" class="linkname" aria-pressed={chosenStage.value === i} disabled={!s.values} title={s.values ? `${s.values.check || 'Show this stage'}` : whyNot(s)}><i style={{ background: stageColours[level] }} />{stageName(s, i)}</button>
                   {holds.length ? <abbr class="hold" title={`Hold before this stage: ${holds.map((h) => `${h.what}${h.out === null ? '' : ` (at ${fixedIn(h.out, 'm', 1)} ${unitName('m')})`}`).join('; ')}`}>hold</abbr> : null}
                 </th>
-                {s.values ? columns.map((c) => <td key={c.name} title={c.name === 'use' ? s.values!.check : c.name === 'roller' ? s.values!.largest_reaction_support : c.title}>{cell(c, s)}</td>) : <td class="why" colSpan={columns.length}><p>{whyNot(s)}</p></td>}
+                {s.values ? columns.map((c) => <td key={c.name} title={c.name === 'use' ? s.values!.check : c.name === 'roller' ? s.values!.largest_reaction_support : c.title}>{cell(c, s)}</td>).concat(<td key="verdict" class="words">{s.values.verdict}</td>) : <td class="why" colSpan={columns.length + 1}><p>{whyNot(s)}</p></td>}
               </tr>
             );
           })}

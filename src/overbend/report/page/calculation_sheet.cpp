@@ -78,8 +78,9 @@ std::string sheet_table(const CheckRow& row) {
 }
 
 std::string heading(const CheckRow& row) {
+  const std::string where = row.line.empty() ? region_title(row.region) : check_place(row);
   return fmt::format("{}, {}{}{}, {}: utilisation {}", row.name, row.code, row.clause.empty() ? "" : ", ", row.clause,
-                     region_title(row.region), html::fixed(row.utilisation, 3));
+                     where, html::fixed(row.utilisation, 3));
 }
 
 }  // namespace

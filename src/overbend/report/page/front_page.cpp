@@ -60,7 +60,7 @@ std::string bar(const Utilisation& one) {
 Utilisation bar_of(const StaticResults& statics, const CheckRow& row) {
   const std::string when = row.in_time ? ", t = " + fixed(row.time, 1) + " s" : "";
   return {region_title(row.region), row.utilisation,
-          fmt::format("{}, {}; {}{}", row.name, row.code, place_name(statics, row.s), when)};
+          fmt::format("{}, {}; {}{}", row.name, row.code, place_name(statics, row), when)};
 }
 
 /// Without bars what the verdict is of.

@@ -5,6 +5,7 @@
 
 #include "results/fields/static_tables.h"
 #include "results/regions.h"
+#include "results/verdict.h"
 
 namespace overbend {
 namespace {
@@ -80,7 +81,6 @@ double yield_percent(const StaticResults& results, double s, double stress) {
 }
 
 std::string place_name(const StaticResults& results, double s) {
-  if (results.stations.empty()) return shown(s, "m", 1) + " from the first end";
   constexpr double kSlack = 0.5;  // an extreme just off the end of a box is still that box's [m]
   for (const SupportResult& box : results.supports) {
     if (std::abs(s - box.s) <= 0.5 * box.length + kSlack) {
@@ -110,6 +110,14 @@ std::string place_name(const StaticResults& results, double s) {
     return "tower";
   }
   return before != nullptr && before->s - s < 10.0 ? "below " + before->name : "sagbend";
+}
+
+std::string place_name(const StaticResults& results, const CheckRow& row) {
+  return results.has_pipe() && is_on_pipe(row) ? place_name(results, row.s) : check_place(row);
+}
+
+std::string along_pipe(const StaticResults& results, const CheckRow& row) {
+  return results.has_pipe() && is_on_pipe(row) ? shown_number(row.from_top, "m", 1) : "";
 }
 
 }  // namespace overbend

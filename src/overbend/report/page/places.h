@@ -28,5 +28,9 @@ double yield_percent(const StaticResults& results, double s, double stress);
 /// Name of the box whose length holds a place, or "between A and B", "tensioner" side and the like; "sagbend", "seabed"
 /// behind.
 std::string place_name(const StaticResults& results, double s);
+/// The same of a check; of one that is not of the laid pipe what it says of its place.
+std::string place_name(const StaticResults& results, const CheckRow& row);
+/// Distance of a check from the tensioner for a cell, in the units shown; empty of one that is not of the laid pipe.
+std::string along_pipe(const StaticResults& results, const CheckRow& row);
 
 }  // namespace overbend

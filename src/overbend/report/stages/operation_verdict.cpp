@@ -61,7 +61,7 @@ std::vector<Utilisation> operation_bars(const OperationResults& results) {
       if (row == nullptr || (most && row->utilisation <= most->utilisation)) continue;
       most = Utilisation{
           region_title(region), row->utilisation,
-          fmt::format("{}, {}; {}; stage {}", row->name, row->code, place_name(*lay, row->s), stage_title(results, i))};
+          fmt::format("{}, {}; {}; stage {}", row->name, row->code, place_name(*lay, *row), stage_title(results, i))};
     }
     if (most) bars.push_back(*most);
   }

@@ -13,6 +13,7 @@
 #include "report/stages/stage_columns.h"
 #include "report/stages/stage_words.h"
 #include "results/fields/result_field.h"
+#include "results/findings.h"
 #include "results/sagbend.h"
 #include "results/verdict.h"
 
@@ -161,7 +162,8 @@ std::string figures(const OperationResults& results, int& number) {
 
 std::string check_cell(const StageResult& stage, CheckRegion region) {
   const CheckRow* row = stage.lay ? governing_check(stage.lay->checks, region) : nullptr;
-  return row == nullptr ? "" : fmt::format("{} {}", fixed(row->utilisation, 3), row->name);
+  if (row == nullptr) return "";
+  return fmt::format("{} {}{}", fixed(row->utilisation, 3), row->name, row->line.empty() ? "" : ", " + row->line);
 }
 
 /// Why stages cannot be, and what tension would do.
@@ -189,7 +191,7 @@ std::string checks_of(const OperationResults& results, std::size_t stage) {
       if (row.region != region || !row.governing) continue;
       table.row(
           {region_title(region), row.name, row.clause.empty() ? row.code : row.code + ", " + row.clause,
-           row.judged() ? fixed(row.utilisation, 3) : "", place_name(lay, row.s), shown_number(row.from_top, "m", 1),
+           row.judged() ? fixed(row.utilisation, 3) : "", place_name(lay, row), along_pipe(lay, row),
            row.remark.empty() ? std::string(word(row.status)) : std::string(word(row.status)) + ": " + row.remark},
           row.status == CheckStatus::exceeded ? "over" : "");
     }
@@ -214,6 +216,7 @@ std::string stages_section(const OperationResults& results, int& number) {
 std::string stage_checks_section(const OperationResults& results) {
   std::vector<StageColumn> columns = {
       {"", {"Stage", "", true}, [&](std::size_t i) { return stage_title(results, i); }}};
+  columns.push_back({"", {"Verdict", "", true}, [&](std::size_t i) { return stage_verdict(results.stages[i]).words; }});
   bool any = false;
   for (const CheckRegion region : check_regions()) {
     columns.push_back({"Utilisation and governing check", {region_title(region), "", true}, [&, region](std::size_t i) {

@@ -86,7 +86,7 @@ std::string governing_table(const StaticResults& statics, const CheckTable& tabl
     if (governing == nullptr) continue;
     const CheckRow& row = *governing;
     out.row({region_title(region), row.name, code_of(row), fixed(row.utilisation, 3), reserve_of(row),
-             place_name(statics, row.s), shown_number(row.from_top, "m", 1), when(row), word(row.status)},
+             place_name(statics, row), along_pipe(statics, row), when(row), word(row.status)},
             row_class(row));
   }
   return out.str();
@@ -99,11 +99,10 @@ void add_row(html::Table& out, const StaticResults& statics, const CheckRow& row
   }
   const ShownUnit units = check_unit(row);
   const Vec3 p = ship_point(statics, row.p_W);
-  out.row(
-      {row.name, code_of(row), number(row.demand * units.factor), number(row.capacity * units.factor),
-       in_one(std::string(units.name)), fixed(row.utilisation, 3), reserve_of(row), shown_number(row.from_top, "m", 1),
-       shown_number(p.x(), "m", 1), shown_number(p.z(), "m", 1), when(row), status_of(row)},
-      row_class(row));
+  out.row({row.name, code_of(row), number(row.demand * units.factor), number(row.capacity * units.factor),
+           in_one(std::string(units.name)), fixed(row.utilisation, 3), reserve_of(row), along_pipe(statics, row),
+           shown_number(p.x(), "m", 1), shown_number(p.z(), "m", 1), when(row), status_of(row)},
+          row_class(row));
 }
 
 std::string region_table(const StaticResults& statics, const CheckTable& table, CheckRegion region) {
@@ -124,6 +123,33 @@ std::string region_table(const StaticResults& statics, const CheckTable& table, 
                    {"Status", "", true}},
                   "checks");
   for (const CheckRow* row : rows) add_row(out, statics, *row);
+  return out.str();
+}
+
+/// Of a model without a laid pipe: lines, moorings, anchors, each row with its place.
+std::string objects_table(const StaticResults& statics, const CheckTable& table) {
+  html::Table out("Checks of all lines, moorings and wires",
+                  {{"Check", "", true},
+                   {"Code", "", true},
+                   {"Place", "", true},
+                   {"Demand", ""},
+                   {"Capacity", ""},
+                   {"Unit", "", true},
+                   {"Utilisation", "-"},
+                   {"Reserve factor", "-"},
+                   {"Status", "", true}},
+                  "checks");
+  for (const CheckRow* row : rows_of(table, CheckRegion::line)) {
+    if (row->status == CheckStatus::not_done) {
+      out.row({row->name, code_of(*row), row->line, "", "", "", "", "", status_of(*row)}, row_class(*row));
+      continue;
+    }
+    const ShownUnit units = check_unit(*row);
+    out.row({row->name, code_of(*row), place_name(statics, *row), number(row->demand * units.factor),
+             number(row->capacity * units.factor), in_one(std::string(units.name)), fixed(row->utilisation, 3),
+             reserve_of(*row), status_of(*row)},
+            row_class(*row));
+  }
   return out.str();
 }
 
@@ -159,7 +185,10 @@ std::string headline(const CheckTable& table) {
 }  // namespace
 
 std::string checks_section(const StaticResults& statics, const CheckTable& table, int& number) {
-  if (table.along.s.empty()) return "";
+  if (table.along.s.empty()) {
+    return table.rows.empty() ? ""
+                              : html::section("checks", "Code checks", headline(table) + objects_table(statics, table));
+  }
   std::string body = headline(table) + governing_table(statics, table);
   const std::vector<Figure> figures = {
       {"checks",

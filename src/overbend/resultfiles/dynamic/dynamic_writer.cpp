@@ -2,7 +2,6 @@
 
 #include "resultfiles/dynamic/fatigue_files.h"
 #include "resultfiles/lines/lines_files.h"
-#include "resultfiles/static/check_tables.h"
 #include "resultfiles/static/finite_check.h"
 #include "resultfiles/static/rechecked_hdf5.h"
 #include "resultfiles/static/results_writer.h"
@@ -18,12 +17,11 @@ void write_pipe_tables(const StaticResults& statics, const DynamicResults& dynam
   write_text(folder / "supports.csv", dynamic_supports_table(statics, dynamics));
   write_text(folder / "impacts.csv", impacts_table(dynamics));
   if (dynamics.fatigue) write_text(folder / "fatigue.csv", fatigue_table(dynamics));
-  write_text(folder / "checks.csv", checks_table(dynamics.checks));
-  write_text(folder / "calculation_sheet.csv", calculation_sheet_table(dynamics.checks));
 }
 
 void write_tables(const StaticResults& statics, const DynamicResults& dynamics, const std::filesystem::path& folder) {
   if (statics.has_pipe()) write_pipe_tables(statics, dynamics, folder);
+  if (statics.has_pipe() || !dynamics.checks.rows.empty()) write_check_tables(dynamics.checks, folder);
   write_mooring_tables(statics, dynamics.moorings, folder);
   if (!statics.lines.empty()) write_text(folder / "lines.csv", lines_table(statics.lines, dynamics.lines));
   write_text(folder / "summary.json", dynamic_summary(statics, dynamics));

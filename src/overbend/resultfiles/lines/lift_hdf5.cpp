@@ -152,7 +152,6 @@ StaticResults read_lift_group(const Hdf5Reader& file, const std::string& group) 
     visit_line_place(weld.at, values);
     visit_weld(weld, values);
   }
-  for (const LiftedLine& line : lift.lines) results.lines.emplace_back().name = line.name;
   return results;
 }
 

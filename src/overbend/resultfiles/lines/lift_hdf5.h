@@ -11,7 +11,7 @@ namespace overbend {
 
 /// Everything of a stage's state below `group`.
 void write_lift_group(DatasetSink& file, const std::string& group, const StaticResults& results);
-/// The same back. `lines` are those of the lift as far as they are kept there.
+/// The same back, without `lines`.
 StaticResults read_lift_group(const Hdf5Reader& file, const std::string& group);
 
 }  // namespace overbend

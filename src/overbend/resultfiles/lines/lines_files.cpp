@@ -17,8 +17,8 @@
 namespace overbend {
 namespace {
 
-std::string group_of(const char* front, std::size_t line) {
-  return std::string(front) + "/" + std::to_string(line);
+std::string group_of(const std::string& front, std::size_t line) {
+  return front + "/" + std::to_string(line);
 }
 
 /// Calls `each` for both ends with their names in files.
@@ -36,14 +36,36 @@ void for_nodes_in_time(Line& line, Each each) {
   each(ResultField{"moment_at_nodes", "N m", "Largest bending moment over time, at the nodes"}, line.moment_at_nodes);
 }
 
+ResultField name_field() {
+  return ResultField{"name", "1", "Name of the line"}.csv("line");
+}
+
+std::vector<std::string> lines_head() {
+  CsvHead head;
+  head(name_field(), std::string());
+  const LineNodeResult example;
+  visit_line_node(example, head);
+  visit_line_node_in_time(0.0, 0.0, head);
+  return head.names;
+}
+
+/// `least`, `largest`: tension there over time [N].
+void add_node(const LineResult& line, std::size_t node, double least, double largest, CsvTable& table) {
+  CsvCells cells{table};
+  cells(name_field(), line.name);
+  visit_line_node(line.nodes[node], cells);
+  visit_line_node_in_time(least, largest, cells);
+  table.end_row();
+}
+
 }  // namespace
 
-void write_lines(DatasetSink& file, const std::vector<LineResult>& lines) {
+void write_lines(DatasetSink& file, const std::vector<LineResult>& lines, const std::string& front) {
   if (lines.empty()) return;
-  file.group("/lines", "Lines between two ends, by their number in the model, from 0");
+  file.group(front, "Lines between two ends, by their number in the model, from 0");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const LineResult& line = lines[i];
-    const std::string group = group_of("/lines", i);
+    const std::string group = group_of(front, i);
     file.group(group, "Line " + line.name);
     ValueWriter values{file, group};
     visit_line(line, values);
@@ -62,10 +84,10 @@ void write_lines(DatasetSink& file, const std::vector<LineResult>& lines) {
   }
 }
 
-std::vector<LineResult> read_lines(const Hdf5Reader& file) {
+std::vector<LineResult> read_lines(const Hdf5Reader& file, const std::string& front) {
   std::vector<LineResult> lines;
-  for (std::size_t i = 0; file.has(group_of("/lines", i)); ++i) {
-    const std::string group = group_of("/lines", i);
+  for (std::size_t i = 0; file.has(group_of(front, i)); ++i) {
+    const std::string group = group_of(front, i);
     LineResult& line = lines.emplace_back();
     ValueReader values{file, group};
     visit_line(line, values);
@@ -149,22 +171,27 @@ void add_lines_in_time(const DynamicResults& results, Json& summary) {
 }
 
 std::string lines_table(const std::vector<LineResult>& lines, const std::vector<LineDynamics>& in_time) {
-  const ResultField name{"name", "1", "Name of the line"};
-  CsvHead head;
-  head(ResultField(name).csv("line"), std::string());
-  const LineNodeResult example;
-  visit_line_node(example, head);
-  visit_line_node_in_time(0.0, 0.0, head);
-  CsvTable table(head.names);
+  CsvTable table(lines_head());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t node = 0; node < lines[i].nodes.size(); ++node) {
-      const LineNodeResult& rest = lines[i].nodes[node];
-      CsvCells cells{table};
-      cells(ResultField(name).csv("line"), lines[i].name);
-      visit_line_node(rest, cells);
-      visit_line_node_in_time(in_time.empty() ? rest.tension : in_time[i].least_at_nodes[node],
-                              in_time.empty() ? rest.tension : in_time[i].largest_at_nodes[node], cells);
-      table.end_row();
+      const double rest = lines[i].nodes[node].tension;
+      add_node(lines[i], node, in_time.empty() ? rest : in_time[i].least_at_nodes[node],
+               in_time.empty() ? rest : in_time[i].largest_at_nodes[node], table);
+    }
+  }
+  return table.text();
+}
+
+std::string lines_table(const std::vector<StageLines>& stages) {
+  std::vector<std::string> head = lines_head();
+  head.insert(head.begin(), "stage");
+  CsvTable table(head);
+  for (const StageLines& stage : stages) {
+    for (const LineResult& line : stage.lines) {
+      for (std::size_t node = 0; node < line.nodes.size(); ++node) {
+        table.cell(stage.stage);
+        add_node(line, node, line.nodes[node].tension, line.nodes[node].tension, table);
+      }
     }
   }
   return table.text();

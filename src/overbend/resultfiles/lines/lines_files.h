@@ -12,10 +12,10 @@
 
 namespace overbend {
 
-/// The group /lines: a group for every line, by its number in the model from 0. Nothing without lines.
-void write_lines(DatasetSink& file, const std::vector<LineResult>& lines);
+/// The group /lines, or `front`: a group for every line, by its number in the model from 0. Nothing without lines.
+void write_lines(DatasetSink& file, const std::vector<LineResult>& lines, const std::string& front = "/lines");
 /// Gives back what write_lines wrote, bit for bit.
-std::vector<LineResult> read_lines(const Hdf5Reader& file);
+std::vector<LineResult> read_lines(const Hdf5Reader& file, const std::string& front = "/lines");
 
 /// The group /dynamic/lines. Nothing without lines.
 void write_lines_in_time(DatasetSink& file, const std::vector<LineDynamics>& lines);
@@ -26,6 +26,14 @@ void link_line_histories(Hdf5Writer& file, const std::vector<LineDynamics>& line
 /// The text of lines.csv: a row per node of every line, engineering units. `in_time`: of a run, in whose place the
 /// values at rest stand without one.
 std::string lines_table(const std::vector<LineResult>& lines, const std::vector<LineDynamics>& in_time = {});
+
+/// The lines of a stage of an operation.
+struct StageLines {
+  std::string stage;
+  const std::vector<LineResult>& lines;
+};
+/// The same text of all stages, the name of the stage in the first column.
+std::string lines_table(const std::vector<StageLines>& stages);
 
 /// Throw std::runtime_error that names the quantity which is no number.
 void require_finite(const std::vector<LineResult>& lines);

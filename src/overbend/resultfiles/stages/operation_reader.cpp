@@ -5,6 +5,7 @@
 #include "model/description/operation_words.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
 #include "resultfiles/lines/lift_hdf5.h"
+#include "resultfiles/lines/lines_files.h"
 #include "results/fields/lay_operation_fields.h"
 
 namespace overbend {
@@ -19,6 +20,7 @@ StageResult read_stage(const Hdf5Reader& file, const std::string& group) {
   if (file.has(visit.group)) visit_stage_failure(stage.failure.emplace(), visit);
   const std::string lay = group + "/static";
   if (file.has(lay)) stage.lay = file.has(lay + "/davits") ? read_lift_group(file, lay) : read_lay_group(file, lay);
+  if (stage.lay && stage.lay->lift) stage.lay->lines = read_lines(file, group + "/lines");
   return stage;
 }
 

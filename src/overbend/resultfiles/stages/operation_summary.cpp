@@ -22,6 +22,7 @@ Json stage_json(const SummaryStyle& style, const StageResult& stage) {
   drop_nulls(json);
   json["status"] = stage.lay ? "converged" : "failed";
   json.update(object_of(style, [&](auto& one) { visit_stage_result(stage, one); }));
+  json["verdict"] = verdict_json(stage_verdict(stage));
   if (stage.failure) {
     json["failure"] = object_of(style, [&](auto& one) { visit_stage_failure(*stage.failure, one); });
   }

@@ -8,7 +8,9 @@
 #include "resultfiles/hdf5/hdf5_visitors.h"
 #include "resultfiles/hdf5/object_links.h"
 #include "resultfiles/lines/lift_hdf5.h"
+#include "resultfiles/lines/lines_files.h"
 #include "resultfiles/stages/stage_table.h"
+#include "resultfiles/static/check_tables.h"
 #include "resultfiles/static/finite_check.h"
 #include "resultfiles/tables/finite_visitor.h"
 #include "resultfiles/tables/xlsx_table.h"
@@ -25,7 +27,13 @@ void require_finite_stages(const OperationResults& results) {
     visit_lay_stage(stage.stage, visit);
     visit_stage_result(stage, visit);
     if (stage.failure) visit_stage_failure(*stage.failure, visit);
-    if (stage.lay && !stage.lay->lift) require_finite(*stage.lay);
+    if (!stage.lay) continue;
+    if (stage.lay->lift) {
+      require_finite(stage.lay->lines);
+      require_finite(stage.lay->checks, visit.place + "checks.");
+    } else {
+      require_finite(*stage.lay);
+    }
   }
 }
 
@@ -45,9 +53,28 @@ void write_stage(DatasetSink& file, const std::string& group, const StageResult&
   }
   if (stage.lay && stage.lay->lift) {
     write_lift_group(file, group + "/static", *stage.lay);
+    write_lines(file, stage.lay->lines, group + "/lines");
   } else if (stage.lay) {
     write_lay_group(file, group + "/static", *stage.lay);
   }
+}
+
+void write_stage_checks(const OperationResults& results, const std::filesystem::path& folder) {
+  std::vector<StageChecks> stages;
+  for (const StageResult& stage : results.stages) {
+    if (stage.lay && !stage.lay->checks.rows.empty()) stages.push_back({stage.stage.name, stage.lay->checks});
+  }
+  if (stages.empty()) return;
+  write_text(folder / "checks.csv", checks_table(stages));
+  write_text(folder / "calculation_sheet.csv", calculation_sheet_table(stages));
+}
+
+void write_stage_lines(const OperationResults& results, const std::filesystem::path& folder) {
+  std::vector<StageLines> stages;
+  for (const StageResult& stage : results.stages) {
+    if (stage.lay && !stage.lay->lines.empty()) stages.push_back({stage.stage.name, stage.lay->lines});
+  }
+  if (!stages.empty()) write_text(folder / "lines.csv", lines_table(stages));
 }
 
 }  // namespace
@@ -84,6 +111,8 @@ void write_operation_files(const OperationResults& results, const Description& d
   const DataTable table = stages_table(results);
   write_text(folder / "stages.csv", csv_text(table));
   write_xlsx({table}, folder / "stages.xlsx");
+  write_stage_checks(results, folder);
+  write_stage_lines(results, folder);
   write_text(folder / "summary.json", operation_summary(results));
 }
 

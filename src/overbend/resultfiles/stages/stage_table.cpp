@@ -7,7 +7,9 @@
 #include "resultfiles/tables/csv_fields.h"
 #include "results/fields/dragging_fields.h"
 #include "results/fields/lay_operation_fields.h"
+#include "results/findings.h"
 #include "results/lift_brief.h"
+#include "results/result_words.h"
 #include "results/sagbend.h"
 
 namespace overbend {
@@ -116,6 +118,7 @@ void visit_lift_in_brief(const StaticResults& r, Visit& visit) {
 void gather(const StageResult& stage, const StaticResults* like, ColumnGatherer& columns) {
   visit_lay_stage(stage.stage, columns);
   columns(ResultField{"status"}.csv("status"), std::string(stage.lay ? "converged" : "no equilibrium"));
+  columns(ResultField{"verdict"}.csv("verdict"), std::string(stage.lay ? word(stage_verdict(stage).kind) : ""));
   if (like != nullptr) {
     columns.absent(!stage.lay);
     visit_lift_in_brief(stage.lay ? *stage.lay : *like, columns);

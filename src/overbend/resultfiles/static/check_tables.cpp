@@ -66,6 +66,37 @@ std::vector<std::string> checks_head() {
   return head.names;
 }
 
+std::vector<std::string> sheet_head() {
+  CsvHead head;
+  head.names = {"check", "code", "clause", "region", "s [m]"};
+  const SheetLine example{};
+  visit_sheet_line(example, head);
+  head.names.emplace_back("line");
+  return head.names;
+}
+
+void add_check(const CheckRow& row, CsvTable& csv) {
+  CheckCells cells{csv, row};
+  visit_check(row, cells);
+  csv.cell(inputs_text(row)).end_row();
+}
+
+void add_sheet_line(const CheckRow& row, const SheetLine& line, CsvTable& csv) {
+  csv.cell(row.name);
+  csv.cell(row.code);
+  csv.cell(row.clause);
+  csv.cell(std::string(word(row.region)));
+  csv.cell(row.s);
+  SheetCells cells{csv};
+  visit_sheet_line(line, cells);
+  csv.cell(row.line).end_row();
+}
+
+std::vector<std::string> with_stage(std::vector<std::string> head) {
+  head.insert(head.begin(), "stage");
+  return head;
+}
+
 }  // namespace
 
 ShownUnit check_unit(const CheckRow& row) {
@@ -78,33 +109,40 @@ ShownUnit check_unit(const CheckInput& input) {
   return shown_unit(factor ? "" : input.meaning, input.units);
 }
 
-std::string calculation_sheet_table(const CheckTable& table) {
-  CsvHead head;
-  head.names = {"check", "code", "clause", "region", "s [m]"};
-  const SheetLine example{};
-  visit_sheet_line(example, head);
-  CsvTable csv(head.names);
-  for (const CheckRow& row : table.rows) {
-    for (const SheetLine& line : row.sheet) {
-      csv.cell(row.name);
-      csv.cell(row.code);
-      csv.cell(row.clause);
-      csv.cell(std::string(word(row.region)));
-      csv.cell(row.s);
-      SheetCells cells{csv};
-      visit_sheet_line(line, cells);
-      csv.end_row();
+std::string checks_table(const CheckTable& table) {
+  CsvTable csv(checks_head());
+  for (const CheckRow& row : table.rows) add_check(row, csv);
+  return csv.text();
+}
+
+std::string checks_table(const std::vector<StageChecks>& stages) {
+  CsvTable csv(with_stage(checks_head()));
+  for (const StageChecks& stage : stages) {
+    for (const CheckRow& row : stage.checks.rows) {
+      csv.cell(stage.stage);
+      add_check(row, csv);
     }
   }
   return csv.text();
 }
 
-std::string checks_table(const CheckTable& table) {
-  CsvTable csv(checks_head());
+std::string calculation_sheet_table(const CheckTable& table) {
+  CsvTable csv(sheet_head());
   for (const CheckRow& row : table.rows) {
-    CheckCells cells{csv, row};
-    visit_check(row, cells);
-    csv.cell(inputs_text(row)).end_row();
+    for (const SheetLine& line : row.sheet) add_sheet_line(row, line, csv);
+  }
+  return csv.text();
+}
+
+std::string calculation_sheet_table(const std::vector<StageChecks>& stages) {
+  CsvTable csv(with_stage(sheet_head()));
+  for (const StageChecks& stage : stages) {
+    for (const CheckRow& row : stage.checks.rows) {
+      for (const SheetLine& line : row.sheet) {
+        csv.cell(stage.stage);
+        add_sheet_line(row, line, csv);
+      }
+    }
   }
   return csv.text();
 }

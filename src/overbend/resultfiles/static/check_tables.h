@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/shown_unit.h"
 #include "results/check_results.h"
@@ -19,5 +20,14 @@ std::string checks_table(const CheckTable& table);
 
 /// The text of calculation_sheet.csv: a row per line of the calculation sheets, values in SI units.
 std::string calculation_sheet_table(const CheckTable& table);
+
+/// The checks of a stage of an operation.
+struct StageChecks {
+  std::string stage;
+  const CheckTable& checks;
+};
+/// The same two texts of all stages, the name of the stage in the first column.
+std::string checks_table(const std::vector<StageChecks>& stages);
+std::string calculation_sheet_table(const std::vector<StageChecks>& stages);
 
 }  // namespace overbend

@@ -20,12 +20,15 @@ namespace {
 void write_pipe_tables(const StaticResults& results, const std::filesystem::path& folder) {
   write_text(folder / "pipe.csv", pipe_table(results));
   write_text(folder / "supports.csv", supports_table(results));
-  write_text(folder / "checks.csv", checks_table(results.checks));
-  write_text(folder / "calculation_sheet.csv", calculation_sheet_table(results.checks));
   if (results.bed) write_text(folder / "spans.csv", span_table(*results.bed));
 }
 
 }  // namespace
+
+void write_check_tables(const CheckTable& checks, const std::filesystem::path& folder) {
+  write_text(folder / "checks.csv", checks_table(checks));
+  write_text(folder / "calculation_sheet.csv", calculation_sheet_table(checks));
+}
 
 void write_mooring_tables(const StaticResults& results, const std::vector<MooringLineDynamics>& in_time,
                           const std::filesystem::path& folder) {
@@ -39,6 +42,7 @@ void write_static_files(const StaticResults& results, const Description& descrip
   require_finite(results);
   write_static_hdf5(results, description, folder / "results.h5", sensitivities);
   if (results.has_pipe()) write_pipe_tables(results, folder);
+  if (results.has_pipe() || !results.checks.rows.empty()) write_check_tables(results.checks, folder);
   write_mooring_tables(results, {}, folder);
   if (!results.lines.empty()) write_text(folder / "lines.csv", lines_table(results.lines));
   Json summary = static_summary_json(results);

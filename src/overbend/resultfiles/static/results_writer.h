@@ -21,6 +21,9 @@ void write_static_results(const StaticResults& results, const Description& descr
 void write_static_files(const StaticResults& results, const Description& description,
                         const std::filesystem::path& folder, const SensitivityResults* sensitivities = nullptr);
 
+/// checks.csv and calculation_sheet.csv into a folder.
+void write_check_tables(const CheckTable& checks, const std::filesystem::path& folder);
+
 /// moorings.csv and pull_ahead.csv into a folder, where the results have them. `in_time`: of a run from there.
 void write_mooring_tables(const StaticResults& results, const std::vector<MooringLineDynamics>& in_time,
                           const std::filesystem::path& folder);

@@ -37,6 +37,7 @@ Json line_json(const LiftedLine& line) {
   json["largest_bending_moment"] = moment_json(line.bending);
   json["largest_bending_moment"]["kind"] = line.sagging.value >= line.hogging.value ? "sagging" : "hogging";
   json["largest_bending_stress"] = line.bending_stress;
+  json["largest_von_mises"] = line.von_mises;
   json["largest_tension"] = line.largest_tension;
   json["least_tension"] = line.least_tension;
   json["on_bed"] = Json::array();

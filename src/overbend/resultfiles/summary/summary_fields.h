@@ -73,6 +73,7 @@ auto summary_check(const Style& style, const CheckRow& row) {
   visit_check_head(row, json);
   put_check_numbers(style, row, json);
   json["remark"] = style.text(row.remark);
+  json["line"] = style.text(row.line);
   json["inputs"] = style.rows(row.inputs, [&](const CheckInput& input) {
     return object_of(style, [&](auto& one) { visit_check_input(input, one); });
   });

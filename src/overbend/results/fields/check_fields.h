@@ -60,6 +60,9 @@ void visit_check(Row& r, Visit& visit) {
         r.in_time);
   visit(ResultField{"time", "s", "Time, if in_time is 1"}.csv("time"), r.time);
   visit(ResultField{"remark", "1", "Remark"}.csv("remark"), r.remark);
+  visit(ResultField{"line", "1", "Line by itself that is judged, from whose first end s counts; empty: others"}.csv(
+            "line"),
+        r.line);
 }
 
 template <class Row, class Visit>

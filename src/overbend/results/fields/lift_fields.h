@@ -17,13 +17,16 @@ void visit_line_place(Row& r, Visit& visit) {
 template <class Row, class Visit>
 void visit_lifted_node(Row& r, Visit& visit) {
   visit_line_place(r.at, visit);
-  visit(ResultField{"tension", "N", "Effective tension, on the side of the first end"}, r.tension);
-  visit(ResultField{"shear", "N", "Force of the other side on that, square to the axis, up"}, r.shear);
+  visit(ResultField{"segment", "1", "Segment of the line, from 0; two nodes at a place are the two sides of it"},
+        r.segment);
+  visit(ResultField{"tension", "N", "Effective tension"}, r.tension);
+  visit(ResultField{"shear", "N", "Force of the side of the second end on the other, square to the axis, up"}, r.shear);
   visit(ResultField{"sagging_moment", "N m", "Bending moment in the vertical plane, sagging positive"}, r.sagging);
   visit(ResultField{"sideways_moment", "N m", "Bending moment square to that"}, r.sideways);
   visit(ResultField{"bending_stress", "Pa", "Largest bending stress of the steel"}, r.stress);
   visit(ResultField{"yield_stress", "Pa", "Yield stress of the steel"}, r.yield_stress);
-  visit(ResultField{"wall_area", "m^2", "Area of the steel"}, r.wall_area);
+  visit(ResultField{"von_mises", "Pa", "Largest von Mises stress of the steel"}, r.von_mises);
+  visit(ResultField{"strain", "1", "Largest longitudinal strain at the outer fibre"}, r.strain);
 }
 
 /// An end of such a line, its place apart.
@@ -40,6 +43,7 @@ template <class Row, class Visit>
 void visit_lifted_line(Row& r, Visit& visit) {
   visit(ResultField{"name", "1", "Name of the line"}, r.name);
   visit(ResultField{"largest_bending_stress", "Pa", "Largest bending stress of the steel"}, r.bending_stress);
+  visit(ResultField{"largest_von_mises", "Pa", "Largest von Mises stress of the steel"}, r.von_mises);
   visit(ResultField{"largest_tension", "N", "Largest effective tension"}, r.largest_tension);
   visit(ResultField{"least_tension", "N", "Least effective tension"}, r.least_tension);
   visit(ResultField{"suspended_length", "m", "Length that the bed does not bear"}, r.suspended_length);

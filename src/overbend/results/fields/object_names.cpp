@@ -17,7 +17,7 @@ constexpr std::string_view kRunMembers =
     "real_time_ratio integrator verdict";
 constexpr std::string_view kStageMembers =
     "name status cable_out pipe_out passed ahead weight ballast tension wanted_bottom_tension barge_ahead governing "
-    "findings warnings failure lay_warnings lay_findings winch_lengths";
+    "findings warnings verdict failure lay_warnings lay_findings winch_lengths";
 
 constexpr std::array kRows = {
     ObjectRow{"lines[pipe].static", "static", "", "pipe"},

@@ -115,6 +115,7 @@ auto page_check(const Style& style, const CheckRow& row) {
   JsonWriter<Style> json(style);
   visit_check_head(row, json);
   json["remark"] = style.text(row.remark);
+  json["line"] = style.text(row.line);
   put_check_numbers(style, row, json);
   json["sheet"] = summary_sheet(summary_keys(style), row);
   return style.named("Check", json.take());

@@ -9,6 +9,7 @@
 #include "report/stages/hold_points.h"
 #include "report/stages/stage_words.h"
 #include "resultfiles/summary/json_fields.h"
+#include "results/findings.h"
 #include "results/lift_brief.h"
 #include "results/sagbend.h"
 
@@ -57,6 +58,7 @@ auto page_stage_values(const Style& style, const StageResult& stage) {
   json["davit_tension"] = maybe(lay.lift.has_value(), lift.davit_tension);
   json["utilisation"] = maybe(use.has_value(), use ? use->utilisation : 0.0);
   json["check"] = style.text(use ? use->what : "");
+  json["verdict"] = style.text(stage_verdict(stage).words);
   return style.named("StageValues", json.take());
 }
 

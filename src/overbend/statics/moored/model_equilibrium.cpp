@@ -6,6 +6,7 @@
 #include "statics/moored/moored_lay.h"
 #include "statics/recovery/lift_findings.h"
 #include "statics/recovery/lift_recovery.h"
+#include "statics/recovery/lifted_line.h"
 #include "statics/recovery/lines_recovery.h"
 #include "statics/solver/line_reach.h"
 #include "statics/solver/lines_setup.h"
@@ -81,6 +82,9 @@ ModelEquilibrium solve_lines(const Model& model) {
   found.assumptions = line_assumptions(model);
   found.findings = model_findings(model);
   found.lines = recover_lines(model, assembly, *lines, found.findings);
+  if (std::vector<LiftedLine> pipe = recover_pipe_lines({model, lines->setup, assembly, lines->state}); !pipe.empty()) {
+    found.lift.emplace().lines = std::move(pipe);
+  }
   found.solution.emplace();
   found.solution->pose = model.mean_pose;
   found.solution->lines = std::move(lines);

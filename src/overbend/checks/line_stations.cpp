@@ -1,0 +1,102 @@
+#include "checks/line_stations.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+/// Sections of the pipe in a line, for the segments that are pipe.
+struct LineSections {
+  std::vector<CheckSection> checks;
+  std::vector<Section> pipe;
+  std::vector<int> of_segment;  ///< -1: no pipe.
+};
+
+LineSections find_sections(const Description& description, const FreeLineDescription& line) {
+  LineSections sections;
+  for (const LineSegmentDescription& segment : line.segments) {
+    sections.of_segment.push_back(segment.section ? static_cast<int>(sections.checks.size()) : -1);
+    if (!segment.section) continue;
+    sections.checks.push_back(make_check_section(*segment.section, description.checks));
+    sections.checks.back().name = segment.name.empty() ? line.name : line.name + ", " + segment.name;
+    sections.pipe.push_back(
+        derive_section(segment.name, *segment.section, description.environment.water_weight_density));
+  }
+  return sections;
+}
+
+/// Largest force of what hangs on a line at a place [N].
+double attached_force(const LiftResults& lift, const std::string& line, double arc_length) {
+  constexpr double kSamePlace = 1e-6;  // [m]
+  double largest = 0.0;
+  for (const LiftedWire& wire : lift.davits) {
+    if (wire.on != line || std::abs(wire.at.arc_length - arc_length) > kSamePlace) continue;
+    largest = std::max(largest, wire.force.norm());
+  }
+  return largest;
+}
+
+CheckStation station_of(const LiftedNode& node, const Section& pipe, double water_weight_density) {
+  CheckStation station;
+  station.region = CheckRegion::line;
+  station.s = node.at.arc_length;
+  station.p_W = node.at.place;
+  station.external_pressure = water_weight_density * std::max(-node.at.place.z(), 0.0);
+  station.overpressure = station.external_pressure - pressure_on_bore(pipe, node.at.place.z());
+  station.load_pressure = station.bend_pressure = station.overpressure;
+  station.effects.functional = Vec3(node.sagging, node.sideways, 0.0);
+  station.effects.functional_strain = node.strain * Vec3::UnitX();
+  station.moment = station.effects.functional.norm();
+  station.force = node.tension;
+  station.strain = station.largest_strain.value = node.strain;
+  station.von_mises = station.largest_von_mises.value = node.von_mises;
+  station.largest_tension.value = node.tension;
+  return station;
+}
+
+std::vector<LoadFactors> line_combinations(const Description& description) {
+  std::vector<LoadFactors> combinations = load_combinations(description.checks);
+  if (!raises_factors_for_current(description)) return combinations;
+  for (LoadFactors& factors : combinations) factors.functional = std::max(factors.functional, factors.environmental);
+  return combinations;
+}
+
+CheckStations stations_of(const Model& model, const LiftResults& lift, const LiftedLine& line) {
+  const Description& description = model.description;
+  const auto described = std::ranges::find(description.lines, line.name, &FreeLineDescription::name);
+  const LineSections sections = find_sections(description, *described);
+  const std::vector<LoadFactors> combinations = line_combinations(description);
+  CheckStations out;
+  out.line = line.name;
+  out.sections = sections.checks;
+  for (const LiftedNode& node : line.nodes) {
+    const int index = sections.of_segment.at(static_cast<std::size_t>(node.segment));
+    if (index < 0) continue;
+    const auto section = static_cast<std::size_t>(index);
+    const CheckSection& check = sections.checks[section];
+    CheckStation station = station_of(node, sections.pipe[section], description.environment.water_weight_density);
+    station.section = section;
+    if (description.checks.point_load) {
+      station.roller_force = attached_force(lift, line.name, station.s);
+      station.share = point_load_factor(check.wall, check.fy, station.roller_force);
+    }
+    factor_static(station, check, combinations);
+    out.stations.push_back(station);
+  }
+  return out;
+}
+
+}  // namespace
+
+bool raises_factors_for_current(const Description& description) {
+  return description.checks.current_load == CurrentLoad::environmental && !description.environment.current.empty();
+}
+
+std::vector<CheckStations> line_stations(const Model& model, const LiftResults& lift) {
+  std::vector<CheckStations> all;
+  for (const LiftedLine& line : lift.lines) all.push_back(stations_of(model, lift, line));
+  return all;
+}
+
+}  // namespace overbend
