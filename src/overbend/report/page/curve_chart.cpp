@@ -47,7 +47,7 @@ std::vector<double> ticks(const Span& span) {
 class Frame {
  public:
   explicit Frame(const CurveChart& chart) {
-    for (const auto* list : {&chart.curves, &chart.ground}) {
+    for (const auto* list : {&chart.curves, &chart.ground, &chart.water}) {
       for (const ChartCurve& curve : *list) {
         for (const auto& [x, y] : curve.points) {
           if (list == &chart.curves) x_.take(x);
@@ -97,6 +97,28 @@ class Frame {
   Span x_, y_;
 };
 
+std::string surrounding_path(const Frame& frame, const ChartCurve& curve, const char* css) {
+  return fmt::format("<path class=\"{}\" d=\"{}\"><title>{}</title></path>\n", css, frame.path(curve),
+                     html::escape(curve.name));
+}
+
+std::string curve_path(const Frame& frame, const ChartCurve& curve, std::size_t colour) {
+  const char* css = curve.look == CurveLook::thin ? "curve thin" : "curve";
+  const char* dash = colour < kColours.size() ? "" : " stroke-dasharray=\"8 3\"";
+  return fmt::format("<path class=\"{}\" stroke=\"{}\"{} d=\"{}\"><title>{}</title></path>\n", css,
+                     kColours[colour % kColours.size()], dash, frame.path(curve), html::escape(curve.name));
+}
+
+std::string marks(const Frame& frame, const ChartCurve& curve, std::size_t colour) {
+  std::string out;
+  for (const auto& [across, up] : curve.points) {
+    out += fmt::format(
+        "<circle class=\"mark\" stroke=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\"><title>{}</title></circle>\n",
+        kColours[colour % kColours.size()], frame.x(across), frame.y(up), html::escape(curve.name));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string curve_figure(const CurveChart& chart, const std::string& caption) {
@@ -105,20 +127,23 @@ std::string curve_figure(const CurveChart& chart, const std::string& caption) {
       "<figure id=\"{}\">\n<svg class=\"curves\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" "
       "style=\"width:100%;height:auto;font:12px Arial,sans-serif;fill:#33414e\">\n"
       "<style>.curves .grid{{stroke:#dde3e8;fill:none}}.curves .curve{{fill:none;stroke-width:2}}"
-      ".curves .ground{{fill:none;stroke:#8c7a5b;stroke-width:1.2;stroke-dasharray:6 4}}</style>\n",
+      ".curves .thin{{stroke-width:1}}.curves .mark{{fill:#fff;stroke-width:1.5}}"
+      ".curves .ground{{fill:none;stroke:#8c7a5b;stroke-width:1.2;stroke-dasharray:6 4}}"
+      ".curves .water{{fill:none;stroke:#4f9bd9;stroke-width:1.2;stroke-dasharray:10 3}}</style>\n",
       chart.id, kWidth, kHeight, html::escape(caption));
   out += frame.axes(chart);
-  for (const ChartCurve& curve : chart.ground) out += "<path class=\"ground\" d=\"" + frame.path(curve) + "\"/>\n";
+  for (const ChartCurve& curve : chart.ground) out += surrounding_path(frame, curve, "ground");
+  for (const ChartCurve& curve : chart.water) out += surrounding_path(frame, curve, "water");
   std::string legend;
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
-    const char* colour = kColours[i % kColours.size()];
-    const char* dash = i < kColours.size() ? "" : " stroke-dasharray=\"8 3\"";
-    out += fmt::format("<path class=\"curve\" stroke=\"{}\"{} d=\"{}\"><title>{}</title></path>\n", colour, dash,
-                       frame.path(chart.curves[i]), html::escape(chart.curves[i].name));
+    const ChartCurve& curve = chart.curves[i];
+    const std::size_t colour = curve.colour.value_or(i);
+    out += curve.look == CurveLook::marks ? marks(frame, curve, colour) : curve_path(frame, curve, colour);
+    if (!curve.in_legend) continue;
     legend += fmt::format(
         "<span style=\"white-space:nowrap;margin-right:1.2em\"><span style=\"color:{}\">"
         "&#9644;</span> {}</span> ",
-        colour, html::escape(chart.curves[i].name));
+        kColours[colour % kColours.size()], html::escape(curve.name));
   }
   return out + "</svg>\n<p class=\"small\">" + legend + "</p>\n<figcaption>" + html::escape(caption) +
          "</figcaption>\n</figure>\n";

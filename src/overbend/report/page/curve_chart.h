@@ -1,15 +1,21 @@
 /// A chart of a few curves as an SVG that needs no script.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace overbend {
 
+enum class CurveLook { line, thin, marks };
+
 struct ChartCurve {
   std::string name;                               ///< Plain text, for the legend.
   std::vector<std::pair<double, double>> points;  ///< In the units of the axes.
+  CurveLook look = CurveLook::line;               ///< `marks`: circles at the points, no line.
+  std::optional<std::size_t> colour = {};         ///< Number of its colour; its own where not given.
+  bool in_legend = true;
 };
 
 struct CurveChart {
@@ -17,6 +23,7 @@ struct CurveChart {
   std::string across, up;  ///< Plain text: what the axes are, with units.
   std::vector<ChartCurve> curves;
   std::vector<ChartCurve> ground;  ///< Thin lines that stand for what surrounds: bed, water level.
+  std::vector<ChartCurve> water;   ///< The same in the colour of water.
 };
 
 /// HTML of a figure. `caption` is plain text.

@@ -9,6 +9,7 @@
 #include "base/shown_unit.h"
 #include "report/page/curve_chart.h"
 #include "report/page/html.h"
+#include "report/stages/lift_shapes.h"
 #include "report/stages/stage_words.h"
 
 namespace overbend {
@@ -194,32 +195,17 @@ std::vector<ChartCurve> curves_of(
   return curves;
 }
 
-/// Level distance from the held end, towards the free one, for shapes in the vertical plane of a line.
-double along_course(const LiftedLine& line, const LiftedNode& node) {
-  const bool first_held = line.second.free && !line.first.free;
-  const Vec3 &held = first_held ? line.first.at.place : line.second.at.place,
-             &free = first_held ? line.second.at.place : line.first.at.place;
-  const Eigen::Vector2d way = (free - held).head<2>().normalized();
-  return way.dot((node.at.place - held).head<2>());
-}
-
-std::string figures(const OperationResults& results, int& number) {
-  std::string out;
+std::string figures(const OperationResults& results, const std::optional<Description>& description, int& number) {
+  std::string out = lift_side_view(results, description, number);
   const double length = shown_unit("m").factor, moment = shown_unit("N m").factor, force = shown_unit("N").factor;
   const std::string metres = std::string(" [") + shown_name("m") + "]";
   int count = 0;
   for (const std::string& name : line_names(results)) {
     const std::string id = "lift-" + std::to_string(++count);
-    CurveChart shapes{id + "-shape", "From the end that is held" + metres, "z" + metres, {}, {}};
-    shapes.curves = curves_of(results, name, [&](const LiftedLine& line, const LiftedNode& node) {
-      return std::pair{length * along_course(line, node), length * node.at.place.z()};
-    });
-    shapes.ground.push_back({"water level", {{-1e9, 0.0}, {1e9, 0.0}}});
-    out += curve_figure(shapes,
-                        fmt::format("Figure {}. {}: shape at every stage; broken: the water level", ++number, name));
     CurveChart moments{id + "-moment",
                        "Arc length" + metres,
                        std::string("Bending moment, sagging positive [") + shown_name("N m") + "]",
+                       {},
                        {},
                        {}};
     moments.curves = curves_of(results, name, [&](const LiftedLine&, const LiftedNode& node) {
@@ -227,7 +213,7 @@ std::string figures(const OperationResults& results, int& number) {
     });
     out += curve_figure(moments, fmt::format("Figure {}. {}: bending moment in the vertical plane", ++number, name));
     CurveChart tensions{
-        id + "-tension", "Arc length" + metres, std::string("Effective tension [") + shown_name("N") + "]", {}, {}};
+        id + "-tension", "Arc length" + metres, std::string("Effective tension [") + shown_name("N") + "]", {}, {}, {}};
     tensions.curves = curves_of(results, name, [&](const LiftedLine&, const LiftedNode& node) {
       return std::pair{length * node.at.arc_length, force * node.tension};
     });
@@ -240,7 +226,7 @@ std::string figures(const OperationResults& results, int& number) {
 
 std::string lift_sections(const OperationResults& results, const std::optional<Description>& description, int& figure) {
   return html::section("procedure", "Procedure", procedure_table(results, description)) +
-         html::section("stages", "Stages", figures(results, figure) + line_table(results)) +
+         html::section("stages", "Stages", figures(results, description, figure) + line_table(results)) +
          html::section("davits", "Davits and other lines on lines", davit_table(results) + weld_table(results));
 }
 
