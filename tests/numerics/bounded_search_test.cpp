@@ -120,5 +120,40 @@ TEST(bounded_search, goes_around_where_there_are_no_values) {
   EXPECT_NEAR(end.x(0), 0.5, 1e-6);
 }
 
+/// Charalambous and Bandler (1976), problem 2: the largest of three functions is least where two of them meet.
+TEST(bounded_search, makes_the_largest_of_several_values_small) {
+  SearchProblem problem;
+  problem.linear_aim = true;
+  problem.settled = 1e-8;
+  problem.values = [](const VectorXd& x) {
+    const double a = 2.0 * x(0), b = 2.0 * x(1);
+    const double first = a * a + std::pow(b, 4), second = 2.0 * std::exp(b - a),
+                 third = (2.0 - a) * (2.0 - a) + (2.0 - b) * (2.0 - b);
+    return SearchValues{{}, {}, of({first, second, third})};
+  };
+  for (const auto& start : {of({0.5, 0.05}), of({0.9, 0.9}), of({0.1, 0.6})}) {
+    problem.start = start;
+    const SearchEnd end = bounded_search(with_slopes(problem)).value();
+    EXPECT_NEAR(end.values.aim.maxCoeff(), 1.952224, 1e-5);
+    EXPECT_NEAR(2.0 * end.x(0), 1.139038, 1e-2);
+    EXPECT_NEAR(2.0 * end.x(1), 0.899560, 1e-2);
+  }
+}
+
+/// On the circle x^2 + y^2 = 1/4 the larger of the two coordinates is least where they are the same.
+TEST(bounded_search, makes_the_largest_of_several_values_small_under_a_condition) {
+  SearchProblem problem;
+  problem.linear_aim = true;
+  problem.settled = 1e-8;
+  problem.values = [](const VectorXd& x) {
+    return SearchValues{of({x(0) * x(0) + x(1) * x(1) - 0.25}), {}, of({x(0), 0.0, x(1)})};
+  };
+  problem.start = of({0.48, 0.1});
+  const SearchEnd end = bounded_search(with_slopes(problem)).value();
+  EXPECT_TRUE(end.met);
+  EXPECT_NEAR(end.x(0), std::sqrt(0.125), 1e-6);
+  EXPECT_NEAR(end.x(1), std::sqrt(0.125), 1e-6);
+}
+
 }  // namespace
 }  // namespace overbend

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/dense_algebra.h"
 #include "numerics/constrained_least_squares.h"
@@ -13,12 +14,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kEqualWeight = 1e4;  // of linearised equalities against the aim, in the least squares of a step
-constexpr double kDamping = 1e-4;     // keeps directions short that nothing depends on
-constexpr double kPenalty = 100.0;    // of violations in the merit
-constexpr double kFirstReach = 0.3;   // of the first step, in every unknown
-constexpr double kShortest = 1e-6;    // step that is worth taking for the aim, or to shorten one to
-constexpr double kActive = 1e-3;      // below it a condition counts as one that holds back
+constexpr double kEqualWeight = 1e4;   // of linearised equalities against the aim, in the least squares of a step
+constexpr double kDamping = 1e-4;      // keeps directions short that nothing depends on
+constexpr double kPenalty = 100.0;     // of violations in the merit
+constexpr double kFirstReach = 0.3;    // of the first step, in every unknown
+constexpr double kShortest = 1e-6;     // step that is worth taking for the aim, or to shorten one to
+constexpr double kActive = 1e-3;       // below it a condition counts as one that holds back
+constexpr double kPeak = 0.3;          // of the largest value of an aim: lower ones do not bound a step
+constexpr double kLevelWeight = 0.03;  // of the largest value as an unknown: its curvature, against a slope of 1
 
 class Search {
  public:
@@ -50,7 +53,27 @@ class Search {
 
   double aim_of(const SearchValues& v) const {
     if (v.aim.size() == 0) return 0.0;
-    return problem_.linear_aim ? v.aim(0) : v.aim.squaredNorm();
+    return problem_.linear_aim ? v.aim.maxCoeff() : v.aim.squaredNorm();
+  }
+
+  /// The largest of several values is what counts.
+  bool levels() const { return problem_.linear_aim && now_.aim.size() > 1; }
+
+  Index largest() const {
+    Index row = 0;
+    now_.aim.maxCoeff(&row);
+    return row;
+  }
+
+  /// Values that are not below their neighbours, and not small.
+  std::vector<Index> peaks() const {
+    std::vector<Index> found;
+    const VectorXd& aim = now_.aim;
+    for (Index i = 0; i < aim.size(); ++i) {
+      const bool peak = (i == 0 || aim(i) >= aim(i - 1)) && (i + 1 == aim.size() || aim(i) >= aim(i + 1));
+      if (peak && aim(i) >= kPeak * aim.maxCoeff()) found.push_back(i);
+    }
+    return found;
   }
 
   double merit(const SearchValues& v) const {
@@ -103,28 +126,39 @@ class Search {
     return take(step_within(slopes, there, reach), before);
   }
 
-  /// Multipliers of the conditions that hold back the aim: its gradient in terms of theirs, by least squares.
-  VectorXd multipliers(const SearchSlopes& slopes) const {
-    MatrixXd active(n_, slopes.equal.rows() + slopes.least.rows());
-    active << slopes.equal.transpose(), slopes.least.transpose();
-    for (Index k = 0; k < slopes.least.rows(); ++k) {
-      if (now_.least(k) > kActive) active.col(slopes.equal.rows() + k).setZero();
+  /// What holds back the aim: conditions, and values that are as large as the largest, which it may not exceed.
+  MatrixXd holding(const SearchSlopes& slopes, Index row, const std::vector<Index>& equals) const {
+    MatrixXd columns(n_, slopes.equal.rows() + slopes.least.rows() + static_cast<Index>(equals.size()));
+    MatrixXd ties(n_, static_cast<Index>(equals.size()));
+    for (std::size_t k = 0; k < equals.size(); ++k) {
+      ties.col(static_cast<Index>(k)) = (slopes.aim.row(row) - slopes.aim.row(equals[k])).transpose();
     }
-    if (active.cols() == 0) return VectorXd::Zero(0);
-    return shortest_least_squares(active, slopes.aim.row(0).transpose());
+    columns << slopes.equal.transpose(), slopes.least.transpose(), ties;
+    for (Index k = 0; k < slopes.least.rows(); ++k) {
+      if (now_.least(k) > kActive) columns.col(slopes.equal.rows() + k).setZero();
+    }
+    return columns;
   }
 
-  static VectorXd lagrangian(const SearchSlopes& slopes, const VectorXd& multipliers) {
-    const Index equal = slopes.equal.rows();
-    return slopes.aim.row(0).transpose() - slopes.equal.transpose() * multipliers.head(equal) -
-           slopes.least.transpose() * multipliers.tail(slopes.least.rows());
+  /// The aim's gradient less what conditions hold back of it; by least squares with the multipliers of these slopes.
+  VectorXd change_of_lagrangian(const SearchSlopes& slopes) const {
+    const Index row = largest();
+    std::vector<Index> equals;
+    if (levels()) {
+      for (const Index peak : peaks()) {
+        if (peak != row && now_.aim(peak) > now_.aim(row) - kActive) equals.push_back(peak);
+      }
+    }
+    const MatrixXd here = holding(slopes, row, equals), before = holding(last_slopes_, row, equals);
+    const VectorXd change = (slopes.aim.row(row) - last_slopes_.aim.row(row)).transpose();
+    if (here.cols() == 0) return change;
+    return change - (here - before) * shortest_least_squares(here, slopes.aim.row(row).transpose());
   }
 
   /// Powell's damped update by the gradient of the Lagrangian, so that the model stays convex.
   void learn_curvature(const SearchSlopes& slopes) {
     if (last_x_.size() == n_) {
-      const VectorXd weights = multipliers(slopes);
-      const VectorXd s = x_ - last_x_, y = lagrangian(slopes, weights) - lagrangian(last_slopes_, weights);
+      const VectorXd s = x_ - last_x_, y = change_of_lagrangian(slopes);
       const VectorXd bs = curvature_ * s;
       const double sbs = s.dot(bs), sy = s.dot(y);
       if (sbs > 1e-16) {
@@ -133,7 +167,7 @@ class Search {
         curvature_ += r * r.transpose() / s.dot(r) - bs * bs.transpose() / sbs;
       }
     } else {
-      curvature_ = MatrixXd::Identity(n_, n_) * std::max(slopes.aim.norm(), 1e-6);
+      curvature_ = MatrixXd::Identity(n_, n_) * std::max(slopes.aim.row(largest()).norm(), 1e-6);
     }
     last_slopes_ = slopes;
     last_x_ = x_;
@@ -155,8 +189,42 @@ class Search {
     }
   }
 
+  /// The step of several values, the largest of which is a further unknown: none of them exceeds it.
+  VectorXd level_step(const SearchSlopes& slopes, const SearchValues& at, double reach) const {
+    const std::vector<Index> tops = peaks();
+    const auto count = static_cast<Index>(tops.size());
+    const MatrixXd root = upper_root(curvature_);
+    // The slope of the largest value, 1, pulls at the equalities: they have to hold far closer than the tolerance.
+    const double weight = kEqualWeight * std::max(root.norm(), 1.0) / std::clamp(slopes.equal.norm(), 1e-12, 1.0);
+    MatrixXd rows = MatrixXd::Zero(n_ + 1 + slopes.equal.rows(), n_ + 2);
+    rows.topLeftCorner(n_, n_) = root;
+    rows(n_, n_) = kLevelWeight;
+    rows(n_, n_ + 1) = -1.0 / kLevelWeight;
+    rows.bottomLeftCorner(slopes.equal.rows(), n_) = weight * slopes.equal;
+    rows.bottomRightCorner(slopes.equal.rows(), 1) = -weight * at.equal;
+    const MatrixXd reduced = triangle_of(rows).topRows(n_ + 1);
+    MatrixXd c = MatrixXd::Zero(2 * n_ + slopes.least.rows() + count, n_ + 1);
+    c.topLeftCorner(n_, n_).setIdentity();
+    c.block(n_, 0, n_, n_) = -MatrixXd::Identity(n_, n_);
+    c.block(2 * n_, 0, slopes.least.rows(), n_) = slopes.least;
+    VectorXd d(c.rows());
+    d.head(2 * n_ + slopes.least.rows()) << (-x_).cwiseMax(-reach), (x_.array() - 1.0).matrix().cwiseMax(-reach),
+        -at.least;
+    for (Index k = 0; k < count; ++k) {
+      const Index row = 2 * n_ + slopes.least.rows() + k, peak = tops[static_cast<std::size_t>(k)];
+      c.row(row).head(n_) = -slopes.aim.row(peak);
+      c(row, n_) = 1.0;
+      d(row) = at.aim(peak) - at.aim.maxCoeff();
+    }
+    return inequality_least_squares(reduced.leftCols(n_ + 1), reduced.col(n_ + 1), c, d)
+        .head(n_)
+        .cwiseMax(-reach)
+        .cwiseMin(reach);
+  }
+
   /// `at`: the values that the slopes are taken to belong to.
   VectorXd step_within(const SearchSlopes& slopes, const SearchValues& at, double reach) const {
+    if (levels()) return level_step(slopes, at, reach);
     MatrixXd aim;
     VectorXd wanted;
     aim_rows(slopes, aim, wanted);

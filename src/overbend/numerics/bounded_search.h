@@ -12,7 +12,7 @@ namespace overbend {
 struct SearchValues {
   Eigen::VectorXd equal;  ///< To be zero.
   Eigen::VectorXd least;  ///< Not to be below zero.
-  Eigen::VectorXd aim;    ///< Their sum of squares is to be small; a single one with `linear_aim`: the value itself.
+  Eigen::VectorXd aim;    ///< Their sum of squares is to be small; with `linear_aim` the largest of them.
 };
 
 /// Derivatives of these, a column per unknown.
@@ -22,7 +22,7 @@ struct SearchSlopes {
 
 struct SearchProblem {
   Eigen::VectorXd start;    ///< Unknowns are scaled: each lies between 0 and 1.
-  bool linear_aim = false;  ///< `aim` holds one value, whose curvature is not known.
+  bool linear_aim = false;  ///< The largest value of `aim` counts, its curvature is not known.
   /// Nothing where the unknowns have no values.
   std::function<std::optional<SearchValues>(const Eigen::VectorXd&)> values;
   std::function<SearchSlopes(const Eigen::VectorXd&, const SearchValues&)> slopes;
@@ -46,8 +46,9 @@ struct SearchEnd {
 /// Sequential quadratic programming with a trust region (Nocedal & Wright 2006, chapter 18): every step solves the
 /// linearised conditions within the bounds for the least of the aim's quadratic model, by Gauss-Newton for squares and
 /// with Broyden's, Fletcher's, Goldfarb's and Shanno's update for a linear aim; it is shortened until the sum of aim
-/// and weighted violations falls. Without an aim the step is the shortest that meets the conditions. Nothing where the
-/// start has no values.
+/// and weighted violations falls. Of several values the largest is made small as a further unknown that none of them
+/// exceeds; neighbours in their order are taken for values of a curve, of which the peaks bound the step. Without an
+/// aim the step is the shortest that meets the conditions. Nothing where the start has no values.
 std::optional<SearchEnd> bounded_search(const SearchProblem& problem);
 
 }  // namespace overbend
