@@ -81,6 +81,32 @@ TEST(named_results, have_the_unit_of_their_dimension) {
   EXPECT_FALSE(result_unit("checks.worst.demand"));  // a strain, a moment or a stress, as the check has it
 }
 
+TEST(named_results, of_stages_of_a_lift_have_units) {
+  EXPECT_EQ(result_unit("operation.stages[welded].lines[pipe].first_end.z"), "m");
+  EXPECT_EQ(result_unit("operation.stages[2].lines.east pipe.first_end.inclination"), "rad");
+  EXPECT_EQ(result_unit("max(operation.stages[*].lines[*].largest_bending_moment.value)"), "N*m");
+  EXPECT_EQ(result_unit("operation.stages[2].lines[*].largest_bending_stress"), "N/m^2");
+  EXPECT_EQ(result_unit("operation.stages[2].davits.davit 1.tension_upper"), "N");
+  EXPECT_EQ(result_unit("operation.stages[2].davits[davit 1].force_on_pipe.x"), "N");
+  EXPECT_EQ(result_unit("operation.stages[2].davits[davit 1].attachment.x"), "m");
+  EXPECT_EQ(result_unit("operation.stages[2].gap.angle"), "rad");
+  EXPECT_EQ(result_unit("operation.stages[2].join.moment"), "N*m");
+  EXPECT_EQ(result_unit("operation.stages[2].checks.worst.utilisation"), "1");
+  EXPECT_FALSE(result_unit("operation.stages[2].lines[pipe].first_end.heading"));
+  EXPECT_FALSE(result_unit("operation.stages[2].lines[pipe].name"));
+}
+
+TEST(named_results, choose_lines_and_davits_by_name_or_pattern) {
+  const Json davits = {
+      {"davit 1", {{"tension", 3.0}}}, {"davit 10", {{"tension", 5.0}}}, {"sling", {{"tension", 9.0}}}};
+  const Json summary = {{"operation", {{"stages", Json::array({{{"name", "up"}, {"davits", davits}}})}}}};
+  EXPECT_EQ(named_result(summary, "operation.stages[up].davits.davit 1.tension"), 3.0);
+  EXPECT_EQ(named_result(summary, "operation.stages[0].davits[davit 10].tension"), 5.0);
+  EXPECT_EQ(named_result(summary, "max(operation.stages[0].davits[davit *].tension)"), 5.0);
+  EXPECT_EQ(named_values(summary, "operation.stages[*].davits[*].tension").size(), 3U);
+  EXPECT_FALSE(named_result(summary, "operation.stages[0].davits[davit 2].tension"));
+}
+
 TEST(named_results, every_number_of_a_summary_has_a_unit_or_hangs_on_its_row) {
   const std::vector<std::string> paths = result_paths();
   EXPECT_GT(paths.size(), 80U);

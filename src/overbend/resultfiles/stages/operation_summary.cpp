@@ -17,29 +17,6 @@ void drop_nulls(Json& json) {
   for (auto member = json.begin(); member != json.end();) member = member->is_null() ? json.erase(member) : ++member;
 }
 
-Json stage_json(const SummaryStyle& style, const StageResult& stage) {
-  Json json = object_of(style, [&](auto& one) { visit_lay_stage(stage.stage, one); });
-  drop_nulls(json);
-  json["status"] = stage.lay ? "converged" : "failed";
-  json.update(object_of(style, [&](auto& one) { visit_stage_result(stage, one); }));
-  json["verdict"] = verdict_json(stage_verdict(stage));
-  if (stage.failure) {
-    json["failure"] = object_of(style, [&](auto& one) { visit_stage_failure(*stage.failure, one); });
-  }
-  if (stage.lay && stage.lay->lift) {
-    json.update(lift_json(*stage.lay->lift));
-    json["checks"] = summary_checks(style, stage.lay->checks);
-    json["lift_findings"] = findings_json(stage.lay->findings);
-  } else if (stage.lay) {
-    json.update(static_part(style, *stage.lay));
-    json["lay_warnings"] = messages(stage.lay->findings);
-    json["lay_findings"] = findings_json(stage.lay->findings);
-    json["checks"] = summary_checks(style, stage.lay->checks);
-    if (stage.lay->dragging) json.update(dragging_json(*stage.lay, json));
-  }
-  return json;
-}
-
 const char* status_of(const OperationResults& results) {
   const auto stands = [](const StageResult& stage) { return stage.lay.has_value(); };
   const auto standing = std::count_if(results.stages.begin(), results.stages.end(), stands);
@@ -67,6 +44,30 @@ Json derived_json(const SummaryStyle& style, const OperationResults& results) {
 
 }  // namespace
 
+Json stage_summary_json(const StageResult& stage) {
+  const SummaryStyle style;
+  Json json = object_of(style, [&](auto& one) { visit_lay_stage(stage.stage, one); });
+  drop_nulls(json);
+  json["status"] = stage.lay ? "converged" : "failed";
+  json.update(object_of(style, [&](auto& one) { visit_stage_result(stage, one); }));
+  json["verdict"] = verdict_json(stage_verdict(stage));
+  if (stage.failure) {
+    json["failure"] = object_of(style, [&](auto& one) { visit_stage_failure(*stage.failure, one); });
+  }
+  if (stage.lay && stage.lay->lift) {
+    json.update(lift_json(*stage.lay->lift));
+    json["checks"] = summary_checks(style, stage.lay->checks);
+    json["lift_findings"] = findings_json(stage.lay->findings);
+  } else if (stage.lay) {
+    json.update(static_part(style, *stage.lay));
+    json["lay_warnings"] = messages(stage.lay->findings);
+    json["lay_findings"] = findings_json(stage.lay->findings);
+    json["checks"] = summary_checks(style, stage.lay->checks);
+    if (stage.lay->dragging) json.update(dragging_json(*stage.lay, json));
+  }
+  return json;
+}
+
 Json operation_summary_json(const OperationResults& results) {
   const SummaryStyle style;
   JsonWriter json(style);
@@ -81,7 +82,7 @@ Json operation_summary_json(const OperationResults& results) {
   operation["type"] = operation_word(results.type);
   operation["wall_time"] = results.wall_time;
   if (const std::optional<PassageResults> passage = passage_of(results)) operation["passage"] = passage_json(*passage);
-  operation["stages"] = style.rows(results.stages, [&](const StageResult& one) { return stage_json(style, one); });
+  operation["stages"] = style.rows(results.stages, [&](const StageResult& one) { return stage_summary_json(one); });
   return json.take();
 }
 

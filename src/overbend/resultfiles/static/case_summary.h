@@ -12,4 +12,7 @@ Json dynamic_summary_json(const StaticResults& statics, const DynamicResults& re
 /// What an operation on the line writes.
 Json operation_summary_json(const OperationResults& results);
 
+/// A stage there.
+Json stage_summary_json(const StageResult& stage);
+
 }  // namespace overbend

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/name_parts.h"
+#include "resultfiles/summary/lift_units.h"
 #include "resultfiles/summary/named_dynamics.h"
 #include "resultfiles/summary/result_units.h"
 #include "results/fields/object_names.h"
@@ -34,6 +35,10 @@ void gather(const Json& at, const std::vector<NamePart>& parts, std::size_t next
   if (part.item && at.is_array()) {
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (is_meant(at[i], i, part.text)) gather(at[i], parts, next + 1, values);
+    }
+  } else if (part.item && at.is_object()) {  // things by their names, such as the lines of a lift
+    for (const auto& [name, below] : at.items()) {
+      if (matches_pattern(part.text, name)) gather(below, parts, next + 1, values);
     }
   } else if (!part.item && at.is_object()) {
     const auto found = at.find(part.text);
@@ -68,26 +73,39 @@ double apply(ResultFunction function, const std::vector<double>& values) {
   return values.front();
 }
 
-/// The place of the path in the table of units; null where there is none.
+/// The place of the path in the table of units; null where there is none. "*" stands for any name.
 const Json* unit_at(const Json& table, const std::vector<NamePart>& parts) {
   const Json* at = &table;
   for (const NamePart& part : parts) {
-    if (part.item != at->is_array() || (part.item && at->empty())) return nullptr;
-    if (part.item) {
+    if (at->is_array()) {
+      if (!part.item || at->empty()) return nullptr;
       at = &at->front();
       continue;
     }
-    const auto found = at->find(part.text);
+    const bool any = at->is_object() && at->contains("*");
+    if (!at->is_object() || (part.item && !any)) return nullptr;
+    const auto found = at->find(any ? "*" : part.text);
     if (found == at->end()) return nullptr;
     at = &*found;
   }
   return at->is_string() ? at : nullptr;
 }
 
+/// Of what the stages of a lift have; other operations have the results of a lay at each.
+const Json& lift_units() {
+  static const Json kUnits = [] {
+    Json stage = lift_stage_units();
+    stage["checks"] = summary_units().at("checks");
+    return Json{{"operation", {{"stages", Json::array({stage})}}}};
+  }();
+  return kUnits;
+}
+
 void list_paths(const Json& at, const std::string& path, std::vector<std::string>& paths) {
   if (at.is_string()) paths.push_back(path);
   if (at.is_array() && !at.empty()) list_paths(at.front(), path + "[]", paths);
   if (!at.is_object()) return;
+  if (at.contains("*")) return list_paths(at.at("*"), path + "[]", paths);
   for (const auto& [key, below] : at.items()) {
     std::string deeper = path.empty() ? "" : path + ".";
     list_paths(below, deeper.append(key), paths);
@@ -140,11 +158,14 @@ std::optional<double> named_result(const Json& summary, const std::string& name)
 }
 
 std::optional<std::string> result_unit(const std::string& name) {
-  return unit_of(summary_units(), name);
+  std::optional<std::string> unit = unit_of(summary_units(), name);
+  return unit ? unit : unit_of(lift_units(), name);
 }
 
 std::vector<std::string> result_paths() {
-  return paths_of(summary_units());
+  std::vector<std::string> paths = paths_of(summary_units());
+  list_paths(lift_units(), "", paths);
+  return paths;
 }
 
 std::optional<std::string> dynamic_result_unit(const std::string& name) {

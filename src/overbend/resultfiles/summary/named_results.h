@@ -3,8 +3,9 @@
 ///
 /// Behind a list stands an item in brackets: its index from 0, a range of indices "0..4", its name, or a pattern in
 /// which `*` stands for any letters: "static.supports[stinger *].reaction". A name of several values may stand in one
-/// of the functions below. The same results have names by object, "lines[pipe].static.lay_back", see
-/// results/fields/object_names.h.
+/// of the functions below. Lines and davits of a lift stand in brackets or behind a point, by their names or a pattern:
+/// "operation.stages[welded].davits[davit *].tension_upper". The same results have names by object,
+/// "lines[pipe].static.lay_back", see results/fields/object_names.h.
 #pragma once
 
 #include <optional>

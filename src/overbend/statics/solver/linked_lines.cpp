@@ -12,6 +12,8 @@
 namespace overbend {
 namespace {
 
+constexpr double kQuasiStatic = 1e9;  // without inertia and damping: friction goes with the way [s]
+
 std::size_t to_size(int i) {
   return static_cast<std::size_t>(i);
 }
@@ -137,7 +139,7 @@ LinkedLines::LinkedLines(const Model& model)
 }
 
 VesselPose LinkedLines::vessel_pose() const {
-  return moved(model_->mean_pose, position_.vessel);
+  return moved_pose(model_->mean_pose, position_.vessel);
 }
 
 /// Points rest where they are, and friction of the bed is what the way there has left.
@@ -155,6 +157,24 @@ LinesAtRest LinkedLines::at_rest() const {
     lines.state.bodies[number++] = rest;
   }
   return lines;
+}
+
+LinkedLines::LinkedLines(const LinkedLines& other)
+    : model_(other.model_),
+      setup_(other.setup_),
+      state_(other.state_),
+      position_(other.position_),
+      welds_(other.welds_),
+      residual_(other.residual_),
+      iterations_(other.iterations_) {
+  assembly_.emplace(setup_.system);
+  evaluate();
+}
+
+/// Forces of the state as it is: nothing has moved since.
+void LinkedLines::evaluate() {
+  const SystemState laid = state_;
+  Equilibrium(*assembly_, {LayHistory::monotonic, &laid, kQuasiStatic}).evaluate(state_, true);
 }
 
 /// Makes a body of the two ends as they stand, apart from each other; put() brings them together.
@@ -226,8 +246,7 @@ void LinkedLines::put(const LiftPosition& position) {
 }
 
 bool LinkedLines::rest(const SystemState& laid) {
-  constexpr double kSlowly = 1e9;  // without inertia and damping: friction goes with the way [s]
-  Equilibrium equilibrium(*assembly_, {LayHistory::monotonic, &laid, kSlowly});
+  Equilibrium equilibrium(*assembly_, {LayHistory::monotonic, &laid, kQuasiStatic});
   NewtonSettings newton;
   newton.max_iterations = 300;
   newton.body_step = {5.0, 0.3};
@@ -363,6 +382,7 @@ std::optional<StaticFailure> LinkedLines::bring_to(const LiftPosition& target) {
   position_ = from;
   state_ = at_first;
   put(position_);
+  evaluate();
   return failure;
 }
 

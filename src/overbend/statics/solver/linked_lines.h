@@ -30,7 +30,8 @@ class LinkedLines {
  public:
   /// Pipe on the bed, wires slack. `model` must outlive this.
   explicit LinkedLines(const Model& model);
-  LinkedLines(const LinkedLines&) = delete;
+  /// Goes on from the same position by itself.
+  LinkedLines(const LinkedLines& other);
   LinkedLines& operator=(const LinkedLines&) = delete;
 
   /// Brings all to a position, in as many parts of the way as the equations ask for. Where a position cannot be
@@ -61,6 +62,7 @@ class LinkedLines {
   void part();
   void put(const LiftPosition& position);
   bool rest(const SystemState& laid);
+  void evaluate();
   LiftPosition between(const LiftPosition& target, double share) const;
   std::optional<StaticFailure> travel(const LiftPosition& target);
   double upper_tension(std::size_t line) const;

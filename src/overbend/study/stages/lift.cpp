@@ -20,8 +20,7 @@ std::string stage_name(const std::vector<LayStageDescription>& stages, std::size
 }
 
 /// The first weld that is still to be made.
-const JoinDescription* next_join(const Description& description, std::size_t stage) {
-  const std::vector<LayStageDescription>& stages = description.operation.lay.stages;
+const JoinDescription* next_join(const std::vector<LayStageDescription>& stages, std::size_t stage) {
   for (std::size_t i = stage; i < stages.size(); ++i) {
     if (stages[i].join) return &*stages[i].join;
   }
@@ -68,6 +67,25 @@ std::optional<StaticFailure> lift_obstacle(const Description& description) {
   return std::nullopt;
 }
 
+Lift::Lift(const Description& description)
+    : model_(std::make_shared<const Model>(build_model(description))),
+      lines_(*model_),
+      last_(drawn_position(description)) {}  // of which the stages up to the first that stands may name nothing
+
+StageResult Lift::next(const std::vector<LayStageDescription>& stages) {
+  StageResult result;
+  result.stage = stages.at(passed_++);
+  if (result.stage.name.empty()) result.stage.name = "stage " + std::to_string(passed_);
+  const LiftPosition target = stage_position(model_->description, result.stage, last_);
+  if (const std::optional<StaticFailure> failure = lines_.bring_to(target)) {
+    result.failure = failure_of(*failure);
+  } else {
+    result.lay = results_of(*model_, lines_, next_join(stages, passed_));
+    last_ = lines_.position();
+  }
+  return result;
+}
+
 OperationResults solve_lift(const Description& description,
                             const std::function<bool(const StageResult&, std::size_t of)>& told) {
   const auto begin = std::chrono::steady_clock::now();
@@ -75,22 +93,11 @@ OperationResults solve_lift(const Description& description,
   results.title = description.title;
   results.version = kVersion;
   results.type = description.operation.type;
-  const Model model = build_model(description);
-  LinkedLines lines(model);
+  Lift lift(description);
   const std::vector<LayStageDescription>& stages = description.operation.lay.stages;
-  LiftPosition last = drawn_position(description);  // of which the stages up to the first that stands may name nothing
   for (std::size_t i = 0; i < stages.size(); ++i) {
-    StageResult& stage = results.stages.emplace_back();
-    stage.stage = stages[i];
-    stage.stage.name = stage_name(stages, i);
-    const LiftPosition target = stage_position(description, stages[i], last);
-    if (const std::optional<StaticFailure> failure = lines.bring_to(target)) {
-      stage.failure = failure_of(*failure);
-    } else {
-      stage.lay = results_of(model, lines, next_join(description, i + 1));
-      last = lines.position();
-    }
-    if (told && !told(stage, stages.size())) break;
+    results.stages.push_back(lift.next(stages));
+    if (told && !told(results.stages.back(), stages.size())) break;
   }
   results.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return results;

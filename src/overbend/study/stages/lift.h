@@ -2,13 +2,31 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
-#include "model/description/description.h"
 #include "results/operation_results.h"
+#include "statics/solver/linked_lines.h"
 #include "statics/solver/statics.h"
 
 namespace overbend {
+
+/// The lines of a lift on their way from stage to stage. A copy goes on from there by itself, in a thread of its own
+/// where that is wanted.
+class Lift {
+ public:
+  explicit Lift(const Description& description);
+
+  /// Brings the lines to the next of `stages`, whose first ones they have passed. A stage that cannot be reached says
+  /// why, and the lines stay where they are.
+  StageResult next(const std::vector<LayStageDescription>& stages);
+
+ private:
+  std::shared_ptr<const Model> model_;
+  LinkedLines lines_;
+  LiftPosition last_;  ///< What the lines were brought to: that of the last stage that stands.
+  std::size_t passed_ = 0;
+};
 
 /// Brings the lines from stage to stage, as solve_operation() does it of a lay. A stage that cannot be reached says
 /// why; those after it go on from the last that stands.
