@@ -4,6 +4,7 @@
 #include "base/json.h"
 #include "program.h"
 #include "small_lay.h"
+#include "support/solved_case.h"
 
 namespace overbend {
 namespace {
@@ -84,6 +85,32 @@ TEST(seek_command, needs_something_to_seek) {
   const auto done = run_program("seek " + scratch.write("lay.yaml", kSmallLay) + " -o " + scratch.file("out"));
   EXPECT_EQ(done.code, 2);
   EXPECT_NE(done.err.find("seek"), std::string::npos);
+}
+
+/// Of a lift: all its stages with the lengths found, and the stage to be copied.
+TEST(seek_command, of_a_lift_writes_its_stages) {
+  const Scratch scratch;
+  const std::string text = testing::file_text(OVERBEND_SOURCE_DIR "/validation/lift_cases/DL8-one.yaml");
+  const std::string model = scratch.write(
+      "lift.yaml", text +
+                       "\nseek:\n  vary: {key: 'operation.stages[at the surface].lengths.davit 1', within: 3 m}\n"
+                       "  until: {result: 'operation.stages[at the surface].lines.pipe.first_end.z', equals: 6 m}\n");
+  const auto done = run_program("seek " + model + " -o " + scratch.file("out"));
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_NE(done.out.find("- {name: at the surface, lengths: {davit 1: "), std::string::npos) << done.out;
+  const Json summary = read_json(scratch.read("out/summary.json"));
+  const Json& stages = summary["operation"]["stages"];
+  ASSERT_EQ(stages.size(), 5U);
+  EXPECT_NEAR(stages[4]["lines"]["pipe"]["first_end"]["z"].get<double>(), 6.0, 1e-5);
+  EXPECT_EQ(summary["seek"]["stages"].size(), 1U);
+  EXPECT_NEAR(summary["seek"]["answer"].get<double>(), stages[4]["davits"]["davit 1"]["length"].get<double>(), 1e-6);
+  const std::string report = scratch.read("out/report.html");
+  EXPECT_NE(report.find("Goal seek"), std::string::npos);
+  EXPECT_NE(report.find("<pre>- {name: at the surface"), std::string::npos);
+  // The model that was written gives the same.
+  ASSERT_EQ(run_program("static " + scratch.file("out/model.yaml") + " -o " + scratch.file("again")).code, 0);
+  const Json again = read_json(scratch.read("again/summary.json"))["operation"]["stages"];
+  EXPECT_EQ(again[4]["lines"], stages[4]["lines"]);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 ExitCode tell_run(const SeekRun& run, const Description& description, const fs::path& folder) {
   write_seek_run(run, description, folder);
   std::cout << description.title << "\n" << seek_lines(run.results);
-  if (run.results.found) std::cout << finding_lines(run.statics.results->findings);
+  if (run.results.found) std::cout << finding_lines(run.findings());
   std::cout << "Results are in " << folder.string() << "\n";
   return run.results.found ? kDone : tell({RunEnding::no_solution, run.results.why});
 }

@@ -2,37 +2,54 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "report/studies/seek_words.h"
 
 namespace overbend {
 namespace {
 
-std::string line(const std::string& name, const std::string& value) {
-  return fmt::format("  {:<44} {}\n", name, value);
+constexpr std::size_t kNameWidth = 44;
+
+std::string line(const std::string& name, const std::string& value, std::size_t width = kNameWidth) {
+  return fmt::format("  {:<{}} {}\n", name, width, value);
 }
 
-std::string unknown_line(const SeekUnknown& unknown) {
-  return line(unknown.name, fmt::format("{:>16}   (model: {})", quantity_words(unknown.answer, unknown, 7),
-                                        quantity_words(unknown.before, unknown, 7)));
+/// Room for the longest name of a key or result.
+std::size_t name_width(const SeekResults& results) {
+  std::size_t width = kNameWidth;
+  for (const SeekUnknown& unknown : results.unknowns) width = std::max(width, unknown.name.size());
+  for (const SeekGoal& goal : results.goals) width = std::max(width, goal.result.size());
+  return width;
 }
 
-std::string goal_line(const SeekGoal& goal) {
+std::string unknown_line(const SeekUnknown& unknown, std::size_t width) {
+  return line(unknown.name,
+              fmt::format("{:>16}   (model: {})", quantity_words(unknown.answer, unknown, 7),
+                          quantity_words(unknown.before, unknown, 7)),
+              width);
+}
+
+std::string goal_line(const SeekGoal& goal, std::size_t width) {
   std::string value = goal.reached ? fmt::format("{:>16}", result_words(*goal.reached, goal)) : "";
   if (goal.is) value += "   (wanted: " + wanted_words(goal) + ")";
   if (!goal.is && goal.before) value += "   (model: " + result_words(*goal.before, goal) + ", minimised)";
-  return line(goal.result, value);
+  return line(goal.result, value, width);
 }
 
 }  // namespace
 
 std::string seek_lines(const SeekResults& results) {
   std::string out;
+  const std::size_t width = name_width(results);
   for (const SeekUnknown& unknown : results.unknowns) {
-    if (results.found) out += unknown_line(unknown);
+    if (results.found) out += unknown_line(unknown, width);
   }
   for (const SeekGoal& goal : results.goals) {
-    if (results.found) out += goal_line(goal);
+    if (results.found) out += goal_line(goal, width);
   }
+  if (!results.stages.empty()) out += "  with the answer (model.yaml has all of it):\n";
+  for (const std::string& stage : results.stages) out += "    " + stage + "\n";
   for (const double other : results.others) {
     out += line("another answer", fmt::format("{:>16}", quantity_words(other, results.unknowns.front(), 7)));
   }

@@ -62,6 +62,7 @@ struct SeekResults {
   double wall_time = 0.0;        ///< [s]
   std::vector<SeekStep> path;    ///< In the order of the search.
   std::vector<std::string> remarks;
+  std::vector<std::string> stages;  ///< Of a lift: the stages that the answer changes, as lines for a model file.
 };
 
 }  // namespace overbend

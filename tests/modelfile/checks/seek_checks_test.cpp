@@ -142,5 +142,55 @@ TEST(seek_keys, a_result_has_to_be_one_and_its_value_of_its_dimension) {
   expect_words(complaint(vary + "  minimise: static.lay_bak\n"), {"seek.minimise", "static.lay_back"});
 }
 
+/// A lift of the examples with another goal seek.
+ModelReading lift_with_seek(const std::string& seek) {
+  const std::string text = testing::file_text(OVERBEND_SOURCE_DIR "/examples/davit-level.yaml");
+  return read_model_text(text.substr(0, text.find("\nseek:")) + "\nseek:\n" + seek, "lift.yaml");
+}
+
+std::string lift_complaint(const std::string& seek) {
+  const std::vector<std::string> errors = lift_with_seek(seek).diagnostics.lines(Severity::error);
+  EXPECT_EQ(errors.size(), 1U) << seek;
+  return errors.empty() ? "" : errors.front();
+}
+
+TEST(seek_keys, of_a_lift_are_entries_of_stages_by_index_name_or_pattern) {
+  for (const char* key : {"operation.stages[3].lengths.davit 1", "operation.stages[level].lengths[davit 2]",
+                          "operation.stages[level].lengths[davit *]", "operation.stages[half way].vessel.x",
+                          "environment.water_depth", "operation.stages[vessel moved].lengths.davit 3"}) {
+    const ModelReading reading = lift_with_seek(
+        std::string("  vary: {key: '") + key +
+        "', from: 3 m, to: 20 m}\n  until: {result: 'operation.stages[level].lines[pipe].first_end.z', equals: 2 m}\n");
+    EXPECT_TRUE(reading.diagnostics.lines(Severity::error).empty()) << key;
+    const SeekDescription seek = read_seek(reading.description.value()).value();
+    EXPECT_EQ(seek.vary.front().unit, "m");
+    EXPECT_EQ(seek.until.front().unit, "m");
+  }
+}
+
+TEST(seek_keys, of_a_lift_name_what_its_stages_have) {
+  const std::string vary = "  vary: {key: 'operation.stages[level].lengths.davit 1', from: 3 m, to: 20 m}\n";
+  const std::string until = "  until: {result: 'operation.stages[level].lines.pipe.first_end.z', equals: 2 m}\n";
+  expect_words(lift_complaint("  vary: {key: 'operation.stages[levl].lengths.davit 1', from: 3 m, to: 20 m}\n" + until),
+               {"seek.vary.key", "picked up, half way, vessel moved and level"});
+  expect_words(
+      lift_complaint("  vary: {key: 'operation.stages[level].lengths[winch *]', from: 3 m, to: 20 m}\n" + until),
+      {"seek.vary.key", "davit 1, davit 2 and davit 3"});
+  expect_words(
+      lift_complaint(vary + "  until: {result: 'operation.stages[levl].lines.pipe.first_end.z', equals: 2 m}\n"),
+      {"seek.until.result", "there is no 'levl'", "picked up, half way, vessel moved and level"});
+  expect_words(
+      lift_complaint(vary + "  until: {result: 'operation.stages[level].davits.davit 9.length', equals: 2 m}\n"),
+      {"seek.until.result", "there is no 'davit 9'", "davit 3"});
+  expect_words(lift_complaint(vary + "  until: {result: static.lay_back, equals: 2 m}\n"),
+               {"seek.until.result", "a result of a stage of the lift"});
+  expect_words(
+      lift_complaint(vary + "  until: {result: 'operation.stages[level].lines.pipe.first_end.w', equals: 2 m}\n"),
+      {"seek.until.result", "did you mean 'operation.stages[].lines[].first_end."});
+  expect_words(
+      lift_complaint(vary + "  until: {result: 'operation.stages[level].lines.pipe.first_end.z', equals: 2 kN}\n"),
+      {"seek.until.equals", "a force", "a length"});
+}
+
 }  // namespace
 }  // namespace overbend

@@ -11,10 +11,16 @@
 namespace overbend {
 namespace {
 
-constexpr const char* kNoStages = "a goal seek looks at the lay as such, not at the stages of its operation";
+constexpr const char* kNoStages =
+    "a goal seek looks at the lay as such, not at the stages of its operation, unless that is a lift";
 
 bool of_operation(const std::string& path) {
   return path.starts_with("operation.") || path.starts_with("stages[");
+}
+
+bool is_lift(const Checker& check) {
+  const FieldValue* type = check.root().find("operation.type");
+  return type != nullptr && type->text == "lift";
 }
 
 /// Members of a group that is given once or as a list.
@@ -27,8 +33,15 @@ std::vector<const FieldValue*> groups(const FieldValue& seek, const std::string&
   return all;
 }
 
-bool is_meant(const FieldValue& item, std::size_t index, const std::string& text) {
+/// Of a list an item, of a group with names for keys the one of a name.
+bool is_meant(const FieldValue& group, std::size_t index, const std::string& text) {
+  const FieldValue& item = group.children[index];
+  if (group.kind == FieldValue::Kind::map) return item.given && matches_pattern(text, item.key);
   return chooses_item(text, index, item.get_text("name").value_or(""));
+}
+
+std::string name_of(const FieldValue& group, const FieldValue& item) {
+  return group.kind == FieldValue::Kind::map ? item.key : item.get_text("name").value_or("an item");
 }
 
 /// Whether the lists of the model have items for the key; names of the first list that has none.
@@ -47,10 +60,12 @@ bool has_items(const FieldValue& at, const std::vector<NamePart>& parts, std::si
   }
   bool any = false;
   for (std::size_t i = 0; i < at.children.size(); ++i) {
-    if (is_meant(at.children[i], i, part.text)) any = has_items(at.children[i], parts, next + 1, names) || any;
+    if (is_meant(at, i, part.text)) any = has_items(at.children[i], parts, next + 1, names) || any;
   }
   if (!any && names.empty()) {
-    for (const FieldValue& item : at.children) names.push_back(item.get_text("name").value_or("an item"));
+    for (const FieldValue& item : at.children) {
+      if (item.given) names.push_back(name_of(at, item));
+    }
   }
   return any;
 }
@@ -89,7 +104,7 @@ void check_variable(Checker& check, const FieldValue& variable) {
                 "items of lists are chosen in brackets: supports.stinger.boxes[stinger 3].z");
     return;
   }
-  if (of_operation(key->text)) {
+  if (of_operation(key->text) && !is_lift(check)) {
     check.error(*key, key->shown, "a key that the lay itself has", kNoStages);
     return;
   }
@@ -112,15 +127,59 @@ void check_variable(Checker& check, const FieldValue& variable) {
 /// The result nearest to what was meant, its lists with the item of that name.
 std::string nearest_result(const std::string& name) {
   const std::string path = parsed_result_name(name).path;
-  if (of_operation(path)) return kNoStages;
   const std::string near = nearest_word(path, result_paths());
   return near.empty() ? "paths are those of summary.json, such as static.sagbend.max_bending_stress"
                       : "did you mean '" + near + "'?";
 }
 
+/// Names of the stages, and of what a stage of a lift has under "lines" and "davits".
+std::vector<std::string> names_in_list(const Checker& check, const std::string& list) {
+  std::vector<std::string> names;
+  const std::vector<FieldValue>& items = Checker::items(check.root(), list == "stages" ? "operation.stages" : "lines");
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    names.push_back(items[i].get_text("name").value_or("stage " + std::to_string(i + 1)));
+  }
+  return names;
+}
+
+/// The part of a result of a stage that names what the lift does not have, and what it has there.
+bool check_names_in_stage(Checker& check, const FieldValue& result, const std::vector<NamePart>& parts) {
+  for (std::size_t i = 1; i + 1 < parts.size(); ++i) {
+    const std::string& list = parts[i].text;
+    if (parts[i].item || (list != "stages" && list != "lines" && list != "davits")) continue;
+    const std::vector<std::string> names = names_in_list(check, list);
+    const NamePart& name = parts[i + 1];
+    bool any = false;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      any = any || (list == "stages" ? chooses_item(name.text, k, names[k]) : matches_pattern(name.text, names[k]));
+    }
+    if (any) continue;
+    check.error(result, result.shown, "the name of " + std::string(list == "stages" ? "a stage" : "a line"),
+                "there is no '" + for_display(name.text) + "'; the model has " + join_words(names, "and"));
+    return false;
+  }
+  return true;
+}
+
+/// Of a lift the results are those of its stages.
+bool check_stage_result(Checker& check, const FieldValue& result) {
+  const std::string path = parsed_result_name(result.text).path;
+  const std::optional<std::vector<NamePart>> parts = name_parts(path);
+  if (path.starts_with("checks.")) return true;
+  if (parts && path.starts_with("operation.stages[")) return check_names_in_stage(check, result, *parts);
+  check.error(result, result.shown, "a result of a stage of the lift",
+              "such as operation.stages[0].lines.pipe.first_end.z");
+  return false;
+}
+
 bool check_result(Checker& check, const FieldValue* result) {
   if (result == nullptr) return false;
-  if (result_row(result->text)) return true;
+  const bool lift = is_lift(check);
+  if (!lift && of_operation(parsed_result_name(result->text).path)) {
+    check.error(*result, result->shown, "the path of a number in summary.json of a static analysis", kNoStages);
+    return false;
+  }
+  if (result_row(result->text)) return !lift || check_stage_result(check, *result);
   check.error(*result, result->shown, "the path of a number in summary.json of a static analysis",
               nearest_result(result->text));
   return false;

@@ -39,7 +39,8 @@ std::vector<Field> variable_rows(const std::string& p) {
       required(text_row(p + ".key", takes_key(),
                         "Key of the model file with a quantity or a number, such as tensioner.tension. An item of a "
                         "list is chosen by its index from 0, its name or a pattern: boxes[stinger *].z is one unknown "
-                        "for every box that it matches.")),
+                        "for every box that it matches. Of a lift also entries of stages: "
+                        "operation.stages[NAME].lengths[davit *].")),
       otherwise(text_row(p + ".from", takes_bound(&SeekVariable::from), "Lower bound, with the unit of the key."),
                 "within is given"),
       otherwise(text_row(p + ".to", takes_bound(&SeekVariable::to), "Upper bound, with the unit of the key."),
@@ -73,7 +74,8 @@ std::vector<Field> condition_rows(const std::string& p) {
       required(text_row(p + ".result", takes_result(),
                         "Result by its path in summary.json, such as static.sagbend.max_bending_stress or "
                         "static.supports[stinger 7].reaction, or by object, such as lines[pipe].static.lay_back; "
-                        "min(), max(), mean() and spread() of a path with a pattern.")),
+                        "min(), max(), mean() and spread() of a path with a pattern. Of a lift results of stages: "
+                        "operation.stages[NAME].lines.pipe.first_end.z.")),
       goal(SeekRelation::equals, "Value that the result is to have, with its unit."),
       goal(SeekRelation::at_most, "Upper limit of the result. A single key gets the least value that holds it."),
       goal(SeekRelation::at_least, "Lower limit of the result. A single key gets the least value that holds it."),

@@ -13,7 +13,8 @@ const Field* scalar_row(const std::string& key) {
   if (!parts) return nullptr;
   const FieldNode* at = &field_tree();
   for (const NamePart& part : *parts) {
-    at = part.item ? at->item.get() : at->member(part.text);
+    const bool named = part.item && at->item == nullptr && at->any_name();  // "lengths[davit 1]"
+    at = part.item && !named ? at->item.get() : at->member(part.text);
     if (at == nullptr) return nullptr;
   }
   return at->scalar;

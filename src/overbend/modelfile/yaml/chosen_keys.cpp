@@ -29,6 +29,11 @@ void choose(const YamlNode* at, const std::vector<NamePart>& parts, std::size_t 
            {above.path + point + part.text, above.name + point + part.text}, chosen);
     return;
   }
+  for (std::size_t i = 0; at != nullptr && i < at->entries.size(); ++i) {  // keys that are names, of a group
+    const std::string& key = at->entries[i].key;
+    if (!matches_pattern(part.text, key)) continue;
+    choose(&at->entries[i].value, parts, next + 1, {above.path + "." + key, above.name + "[" + key + "]"}, chosen);
+  }
   for (std::size_t i = 0; at != nullptr && i < at->items.size(); ++i) {
     const std::string name = name_of(at->items[i]), index = std::to_string(i);
     if (!chooses_item(part.text, i, name)) continue;
@@ -52,6 +57,10 @@ std::vector<std::string> names_to_choose(const YamlNode& tree, const std::vector
     std::vector<std::string> names;
     for (const YamlNode* at : here) {
       if (const YamlNode* member = part.item ? nullptr : member_of(*at, part.text)) below.push_back(member);
+      for (std::size_t i = 0; part.item && i < at->entries.size(); ++i) {
+        if (matches_pattern(part.text, at->entries[i].key)) below.push_back(&at->entries[i].value);
+        names.push_back(at->entries[i].key);
+      }
       for (std::size_t i = 0; part.item && i < at->items.size(); ++i) {
         const std::string item = name_of(at->items[i]);
         if (chooses_item(part.text, i, item)) below.push_back(&at->items[i]);

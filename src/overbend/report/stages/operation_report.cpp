@@ -103,29 +103,31 @@ CheckTable checks_of_stages(const OperationResults& results) {
 
 }  // namespace
 
-std::string operation_report_html(const OperationResults& results, const std::string& model_text) {
+std::string operation_report_html(const OperationResults& results, const std::string& model_text,
+                                  const FirstSection* first) {
   const std::optional<Description> description = description_of(model_text);
   const StaticResults* lay = first_lay(results);
-  int figure = 0;
+  int figure = first != nullptr ? first->figures : 0;
   const bool lift = results.type == OperationType::lift;
   const std::string stages =
       lift ? lift_sections(results, description, figure)
            : procedure_section(results, description) + stages_section(results, figure) + passage_part(results);
   const std::string inputs = lay != nullptr ? inputs_section(*lay, description, nullptr) : "";
-  const std::string rest = stages + stage_checks_section(results) + gear_section(description) + inputs +
-                           assumptions_section(all_assumptions(results)) +
+  const std::string rest = (first != nullptr ? first->html : "") + stages + stage_checks_section(results) +
+                           gear_section(description) + inputs + assumptions_section(all_assumptions(results)) +
                            calculation_sheet_section(checks_of_stages(results)) + model_text_section(model_text);
   const FrontPage front = front_of_operation(results, description, lay);
-  return operation_page(
-      results.title + " - " + operation_title(results.type),
+  const std::string title = results.title + " - " + operation_title(results.type);
+  const std::string page =
       front_page(front, verdict_with_stage(results), operation_bars(results),
-                 std::string("The mark on the bar is the full capacity. ") + kBasisOfChecks + " ", rest),
-      lift ? "{}" : stages_data(results, description));
+                 std::string("The mark on the bar is the full capacity. ") + kBasisOfChecks + " ", rest);
+  if (first != nullptr) return whole_page(title, page, first->data);
+  return operation_page(title, page, lift ? "{}" : stages_data(results, description));
 }
 
 void write_operation_report(const OperationResults& results, const std::string& model_text,
-                            const std::filesystem::path& file) {
-  write_page(operation_report_html(results, model_text), file);
+                            const std::filesystem::path& file, const FirstSection* first) {
+  write_page(operation_report_html(results, model_text, first), file);
 }
 
 }  // namespace overbend

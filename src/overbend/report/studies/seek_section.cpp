@@ -70,6 +70,13 @@ std::string remarks(const SeekResults& seek) {
   return out;
 }
 
+/// The stages that the answer changes, to be copied into a model.
+std::string stage_texts(const SeekResults& seek) {
+  std::string text;
+  for (const std::string& stage : seek.stages) text += "<pre>" + html::escape(stage) + "</pre>\n";
+  return text;
+}
+
 Json shown_in(const std::string& name, const std::string& unit, const std::string& show) {
   const double factor = show.empty() ? 1.0 : unit_factor(show, unit).value_or(1.0);
   return {{"name", name}, {"unit", show}, {"factor", 1.0 / factor}};
@@ -93,8 +100,9 @@ std::string seek_section(const SeekResults& seek, int& figure) {
        {kParts.begin(), kParts.begin() + static_cast<std::ptrdiff_t>(std::min(seek.goals.size(), kParts.size()))}}};
   const std::string drawn = figure_list(
       figures, [](const Figure&, const std::string&) { return true; }, figure);
-  return html::section("seek", "Goal seek",
-                       unknown_table(seek) + goal_table(seek) + jump_table(seek) + remarks(seek) + drawn);
+  return html::section(
+      "seek", "Goal seek",
+      unknown_table(seek) + goal_table(seek) + stage_texts(seek) + jump_table(seek) + remarks(seek) + drawn);
 }
 
 Json seek_figure_data(const SeekResults& seek) {

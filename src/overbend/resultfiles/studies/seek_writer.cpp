@@ -112,6 +112,7 @@ Json seek_json(const SeekResults& r) {
   json["keys"] = list_of(r.unknowns, unknown_json);
   json["goals"] = list_of(r.goals, [&](const SeekGoal& goal) { return goal_json(r, goal); });
   json["remarks"] = r.remarks;
+  if (!r.stages.empty()) json["stages"] = r.stages;
   json["path"] = list_of(r.path, step_json);
   return json;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "base/interruption.h"
@@ -117,6 +118,18 @@ Json worst_stage_summary(const OperationResults& results) {
   return summary;
 }
 
+/// By the worst stage; the verdict is that some stages cannot be where there are such. Why the first of them cannot.
+std::string judge_stages(const OperationResults& results, CaseAnswer& answer) {
+  const Findings findings = operation_findings(results);
+  if (const StageResult* worst = worst_stage(results)) judge(worst->lay->checks, findings, answer);
+  answer.findings = findings;
+  answer.summary = worst_stage_summary(results);
+  const auto failed = std::ranges::find_if(results.stages, [](const StageResult& stage) { return !stage.lay; });
+  if (failed == results.stages.end()) return "";
+  answer.verdict = VerdictKind::exceeded;
+  return fmt::format("no equilibrium at stage {}: {}", failed->stage.name, failed->failure->why);
+}
+
 CaseAnswer answer_operation(const CaseBase& base, const CaseQuestion& question, const CaseConduct& conduct) {
   const Description description = base.described(question.keys, false);
   if (const auto obstacle = operation_obstacle(description)) return {failed_end(*obstacle, description)};
@@ -127,21 +140,10 @@ CaseAnswer answer_operation(const CaseBase& base, const CaseQuestion& question, 
   });
   if (stopped) return ended(RunEnding::interrupted, "interrupted");
   CaseAnswer answer;
-  const Findings findings = operation_findings(results);
-  if (const StageResult* worst = worst_stage(results)) judge(worst->lay->checks, findings, answer);
-  answer.findings = findings;
-  std::string failed;
-  std::size_t standing = 0;
-  for (const StageResult& stage : results.stages) {
-    if (stage.lay) {
-      ++standing;
-    } else if (failed.empty()) {
-      failed = fmt::format("no equilibrium at stage {}: {}", stage.stage.name, stage.failure->why);
-    }
+  const std::string failed = judge_stages(results, answer);
+  if (std::ranges::none_of(results.stages, [](const StageResult& stage) { return stage.lay.has_value(); })) {
+    return ended(RunEnding::no_solution, "no solution: " + failed);
   }
-  if (standing == 0) return ended(RunEnding::no_solution, "no solution: " + failed);
-  if (!failed.empty()) answer.verdict = VerdictKind::exceeded;
-  answer.summary = worst_stage_summary(results);
   if (conduct.keep) {
     const auto hold = held(conduct.files);
     write_operation_run(results, description, conduct.folder);
@@ -156,8 +158,12 @@ CaseAnswer answer_seek(const CaseBase& base, const CaseQuestion& question, const
   const SeekRun run = run_seek(description, *wanted);
   if (!run.results.found) return ended(RunEnding::no_solution, "no solution: " + run.results.why);
   CaseAnswer answer;
-  judge(run.statics.results->checks, run.statics.results->findings, answer);
-  answer.summary = static_summary_json(*run.statics.results);
+  if (run.operation) {
+    judge_stages(*run.operation, answer);
+  } else {
+    judge(run.statics.results->checks, run.statics.results->findings, answer);
+    answer.summary = static_summary_json(*run.statics.results);
+  }
   answer.summary["seek"] = seek_json(run.results);
   if (conduct.keep) {
     const auto hold = held(conduct.files);

@@ -129,10 +129,10 @@ SeekOutcome seek(const Description& description, const SeekDescription& wanted, 
   const SeekModel model(description, wanted, stop);
   const bool one = model.unknowns().size() == 1 && wanted.until.size() == 1 && wanted.minimise.empty();
   SeekOutcome outcome = one ? seek_one(model, wanted.until.front()) : seek_many(model, wanted);
-  if (is_lay_operation(description.operation.type)) {
+  if (is_lay_operation(description.operation.type) && model.stages() == nullptr) {
     outcome.results.remarks.push_back(no_stage_finding(description, false).message);
   }
-  if (outcome.results.found) compare_with_statics(model, outcome);
+  if (outcome.results.found && model.stages() == nullptr) compare_with_statics(model, outcome);
   outcome.results.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
 }

@@ -18,19 +18,21 @@ namespace overbend {
 namespace {
 
 /// What the model has there: in its text, or by default.
-std::optional<double> present_value(const YamlNode& tree, const std::string& path, const Field& row) {
+std::optional<double> present_value(const Description& model, const YamlNode& tree, const std::string& path,
+                                    const Field& row) {
   std::string rest;
   const std::vector<YamlSpot> spots = follow_path(tree, path, rest);
   const std::string text = rest.empty() ? spots.back().node->text : row.fallback;
-  if (text.empty()) return std::nullopt;
+  if (text.empty()) return kept_length(model, path);
   const ScalarReading reading = read_value_of(text, row);
   return reading.value ? std::optional(reading.value->number) : std::nullopt;
 }
 
-SeekUnknown unknown_of(const SeekVariable& variable, const ChosenKey& key, const YamlNode& tree) {
+SeekUnknown unknown_of(const Description& model, const SeekVariable& variable, const ChosenKey& key,
+                       const YamlNode& tree) {
   const Field* row = varied_row(variable.key);
   require(row != nullptr, "a checked seek varies keys of the table");
-  const std::optional<double> present = present_value(tree, key.path, *row);
+  const std::optional<double> present = present_value(model, tree, key.path, *row);
   SeekUnknown unknown{.path = key.path, .name = key.name, .unit = variable.unit, .show = variable.show};
   if (variable.within) {
     if (!present) throw SeekFault(key.name + " has no value in the model to go `within` of; give from and to");
@@ -67,12 +69,19 @@ SeekModel::SeekModel(const Description& description, const SeekDescription& seek
     : base_(description), tree_(parsed(description)), stop_(std::move(stop)) {
   for (const SeekVariable& variable : seek.vary) {
     for (const ChosenKey& key : chosen_keys(tree_, name_parts(variable.key).value())) {
-      unknowns_.push_back(unknown_of(variable, key, tree_));
+      unknowns_.push_back(unknown_of(base_, variable, key, tree_));
     }
   }
   if (unknowns_.empty()) throw SeekFault("no item of the model is chosen by the keys to vary");
-  // What neither statics nor the search looks at.
-  base_.operation = {};
+  if (base_.operation.type != OperationType::lift) {
+    base_.operation = {};  // which neither statics nor the search looks at
+    return;
+  }
+  try {
+    stages_.emplace(base_, seek, unknowns_);
+  } catch (const std::invalid_argument& fault) {
+    throw SeekFault(fault.what());
+  }
 }
 
 std::vector<YamlChange> SeekModel::changes(const std::vector<double>& values, int digits) const {
@@ -100,13 +109,17 @@ Description SeekModel::described(const std::vector<double>& values) const {
     throw std::runtime_error(errors.empty() ? "the model cannot be read" : errors.front());
   }
   if (!files && reading.description->vessel.coupled) reading.description->vessel.coupled = base_.vessel.coupled;
-  reading.description->operation = {};
+  if (!stages_) reading.description->operation = {};
   return std::move(*reading.description);
 }
 
 SeekPoint SeekModel::solve(const std::vector<double>& values, const StaticSolution* start) const {
   SeekPoint point{.values = values, .summary = {}, .solution = {}, .failure = {}};
   try {
+    if (stages_) {
+      point.summary = stages_->solve(described(values));
+      return point;
+    }
     Model model = build_model(described(values));
     StaticRun found = run_statics(model, start);
     if (found.failure && start != nullptr) found = run_statics(model);  // the start may have been too far off

@@ -1,4 +1,4 @@
-/// A model whose keys are set anew and again, and its statics.
+/// A model whose keys are set anew and again, and its statics, or those of the stages of its lift.
 #pragma once
 
 #include <functional>
@@ -13,6 +13,7 @@
 #include "modelfile/yaml/yaml_edit.h"
 #include "resultfiles/summary/summary_json.h"
 #include "results/seek_results.h"
+#include "study/goal_seek/seek_stages.h"
 #include "study/run/static_run.h"
 
 namespace overbend {
@@ -52,6 +53,9 @@ class SeekModel {
     if (stop_ && stop_()) throw Interrupted();
   }
 
+  /// Of a lift: its stages, which the results are of; else null.
+  const SeekStages* stages() const { return stages_ ? &*stages_ : nullptr; }
+
   /// What puts the values into the text of the model, in the units of its keys and with so many significant digits.
   std::vector<YamlChange> changes(const std::vector<double>& values, int digits = kDigits) const;
 
@@ -63,6 +67,7 @@ class SeekModel {
   Description base_;
   YamlNode tree_;
   std::vector<SeekUnknown> unknowns_;
+  std::optional<SeekStages> stages_;
   std::function<bool()> stop_;
 };
 

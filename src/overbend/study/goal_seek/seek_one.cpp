@@ -18,9 +18,8 @@ constexpr double kSlopeStep = 1e-4;  // of the bounds, either way
 /// Supports in contact, by name.
 std::vector<std::string> carrying(const SeekPoint& point) {
   std::vector<std::string> names;
-  const auto supports = point.summary["static"].find("supports");
-  if (supports == point.summary["static"].end()) return names;
-  for (const Json& support : *supports) {
+  const Json supports = point.summary.value("/static/supports"_json_pointer, Json::array());
+  for (const Json& support : supports) {
     if (support["reaction"].get<double>() > 0.0) names.push_back(support["name"].get<std::string>());
   }
   return names;

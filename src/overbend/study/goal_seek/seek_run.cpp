@@ -4,11 +4,16 @@
 #include "modelfile/reading/yaml_reader.h"
 #include "modelfile/yaml/moved_text.h"
 #include "report/report.h"
+#include "report/stages/operation_report.h"
+#include "report/studies/seek_section.h"
+#include "resultfiles/stages/operation_writer.h"
 #include "resultfiles/static/results_writer.h"
 #include "resultfiles/studies/seek_writer.h"
+#include "results/findings.h"
 #include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
 #include "study/run/prepared_case.h"
+#include "study/stages/lay_operation.h"
 #include "study/stages/stage_choice.h"
 
 namespace overbend {
@@ -25,6 +30,12 @@ Description with_answer(const Description& description, const SeekDescription& w
   return std::move(*reading.description);
 }
 
+/// All stages of the lift that is written. The search went the same way.
+void solve_stages(SeekRun& run) {
+  run.operation = solve_operation(run.answer);
+  run.results.stages = stage_lines(run.answer, run.results.unknowns);
+}
+
 /// The statics of the model that is written; what is told is what they say.
 void solve_answer(SeekRun& run, const std::optional<StaticSolution>& start) {
   Model model = build_model(run.answer);
@@ -37,7 +48,14 @@ void solve_answer(SeekRun& run, const std::optional<StaticSolution>& start) {
   tell_hull(model, *run.statics.results);
 }
 
-void write_statics(const SeekRun& run, const fs::path& folder) {
+void write_answer(const SeekRun& run, const fs::path& folder) {
+  if (run.operation) {
+    write_operation_files(*run.operation, run.answer, folder);
+    FirstSection sought{"", Json{{"seek", seek_figure_data(run.results)}}};
+    sought.html = seek_section(run.results, sought.figures);
+    write_operation_report(*run.operation, run.answer.source_text, folder / "report.html", &sought);
+    return;
+  }
   write_static_files(*run.statics.results, run.answer, folder);
   write_report(*run.statics.results, run.answer.source_text, folder / "report.html", {.seek = &run.results});
 }
@@ -47,12 +65,21 @@ void write_statics(const SeekRun& run, const fs::path& folder) {
 SeekRun run_seek(const Description& description, const SeekDescription& wanted, const std::function<bool()>& stop) {
   const InterruptionScope scope(stop);
   SeekOutcome outcome = seek(description, wanted, stop);
-  SeekRun run{std::move(outcome.results), {}, {}};
+  SeekRun run{std::move(outcome.results), {}, {}, {}};
   if (!run.results.found) return run;
   run.answer = with_answer(description, wanted, run.results);
+  if (run.answer.operation.type == OperationType::lift) {
+    solve_stages(run);
+    return run;
+  }
   if (is_lay_operation(run.answer.operation.type)) run.answer.findings.push_back(no_stage_finding(run.answer, false));
   solve_answer(run, outcome.start);
   return run;
+}
+
+Findings SeekRun::findings() const {
+  if (operation) return operation_findings(*operation);
+  return statics.results ? statics.results->findings : Findings{};
 }
 
 std::string answered_text(const SeekRun& run, const fs::path& folder) {
@@ -62,7 +89,7 @@ std::string answered_text(const SeekRun& run, const fs::path& folder) {
 void write_seek_run(const SeekRun& run, const Description& description, const fs::path& folder) {
   StagedFolder staged(folder);
   if (run.results.found) {
-    write_statics(run, staged.path());
+    write_answer(run, staged.path());
     write_text(staged.path() / "model.yaml", answered_text(run, folder));
   }
   write_seek_files(run.results, description.title, staged.path());
