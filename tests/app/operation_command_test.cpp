@@ -186,5 +186,18 @@ TEST(operation_command, a_cable_on_a_route_that_bends_is_refused_whatever_is_ask
   EXPECT_TRUE(says(run_program("check " + model).out, refusal));
 }
 
+/// They were passed over without a word.
+TEST(operation_command, derivatives_of_all_stages_are_refused) {
+  const Scratch scratch;
+  const auto stages = run_program("static --sensitivities " + scratch.write("lay.yaml", abandoned(kTwo)));
+  EXPECT_EQ(stages.code, 2);
+  EXPECT_NE(stages.err.find("--sensitivities: derivatives are those of one stage; choose it with --stage"),
+            std::string::npos)
+      << stages.err;
+  const auto lift = run_program("static --sensitivities " OVERBEND_SOURCE_DIR "/examples/davit-level.yaml");
+  EXPECT_EQ(lift.code, 2);
+  EXPECT_NE(lift.err.find("no derivatives of the stages of a lift"), std::string::npos) << lift.err;
+}
+
 }  // namespace
 }  // namespace overbend

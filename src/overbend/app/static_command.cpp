@@ -16,6 +16,7 @@
 #include "base/shown_unit.h"
 #include "report/page/places.h"
 #include "runstore/staged_folder.h"
+#include "statics/solver/static_obstacle.h"
 #include "study/run/input_findings.h"
 #include "study/run/prepared_case.h"
 #include "study/run/static_run.h"
@@ -114,6 +115,24 @@ int tell_failure(const StaticFailure& failure, const Model& model) {
   return code;
 }
 
+/// Derivatives are those of one equilibrium, not of all stages of an operation.
+std::optional<RunEnd> sensitivities_obstacle(const StaticArguments& arguments, const Description& description) {
+  if (!arguments.sensitivities) return std::nullopt;
+  if (description.operation.type == OperationType::lift) {
+    return RunEnd{RunEnding::wrong_input,
+                  "--sensitivities: there are no derivatives of the stages of a lift yet; a study over the lengths has "
+                  "the differences"};
+  }
+  if (is_lay_operation(description.operation.type) && arguments.stage.empty()) {
+    return RunEnd{RunEnding::wrong_input,
+                  "--sensitivities: derivatives are those of one stage; choose it with --stage"};
+  }
+  if (const auto obstacle = pipe_obstacle(description, "sensitivities")) {
+    return RunEnd{RunEnding::wrong_input, "--sensitivities: " + *obstacle};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 int run_static(const StaticArguments& arguments) {
@@ -121,6 +140,7 @@ int run_static(const StaticArguments& arguments) {
   if (!description) return kWrongInput;
   const fs::path folder = arguments.output.empty() ? default_folder(arguments.model_file) : fs::path(arguments.output);
   if (const std::optional<RunEnd> lost = files_in_the_way(arguments.model_file, folder)) return tell(*lost);
+  if (const std::optional<RunEnd> no = sensitivities_obstacle(arguments, *description)) return tell(*no);
   if (!arguments.stage.empty()) {
     std::variant<Description, RunEnd> chosen = choose_stage(*description, arguments.stage);
     if (const RunEnd* fault = std::get_if<RunEnd>(&chosen)) return tell(*fault);
