@@ -35,6 +35,9 @@ class StudyBinder {
     study_.title = root_.get_text("title").value_or(base_.title);
     study_.base = base_.source_file;
     study_.analysis = root_.get_word<StudyAnalysis>("analysis").value_or(StudyAnalysis::statics);
+    if (study_.analysis == StudyAnalysis::statics && base_.operation.type == OperationType::lift) {
+      study_.analysis = StudyAnalysis::operation;  // the statics of a lift are those of its stages
+    }
     study_.keep = root_.get_text("keep") == "true";
     study_.axes = read_axes(check_, keys_);
     study_.sample = read_sample(check_, keys_);

@@ -57,8 +57,10 @@ std::string with_function(const ResultName& name, const std::string& path) {
 }
 
 std::optional<std::string> output_unit(StudyAnalysis analysis, std::string path) {
+  if (analysis == StudyAnalysis::statics && path.starts_with(kStages)) return std::nullopt;
   if (analysis == StudyAnalysis::operation) {
     if (auto unit = own_unit_of_stage(path)) return unit;
+    if (auto unit = result_unit(path)) return unit;  // of a stage of a lift
     path = stage_path(path);
   }
   for (const char* ending : {"", ".max"}) {
@@ -103,6 +105,17 @@ Names pipe_outputs(bool dynamic) {
                          "checks.governing"};
 }
 
+/// Of all stages of a lift.
+Names lift_outputs() {
+  const std::string stages = "operation.stages[*].";
+  return {"max(" + stages + "lines[*].largest_bending_moment.value)",
+          "max(" + stages + "lines[*].largest_bending_stress)",
+          "max(" + stages + "davits[*].tension_upper)",
+          "min(" + stages + "davits[*].tension_upper)",
+          "max(" + stages + "davits[*].utilisation)",
+          "checks.governing"};
+}
+
 constexpr std::array kOfSeek = {"seek.answer", "seek.slope", "seek.residual", "seek.evaluations"};
 
 /// Of the first condition by the key: as in the summary.
@@ -144,10 +157,12 @@ std::string nearest_output(StudyAnalysis analysis, const std::string& name) {
 
 std::vector<std::string> usual_outputs(StudyAnalysis analysis, const Description& model) {
   const bool dynamic = analysis == StudyAnalysis::dynamic;
-  Names names = model.has_pipe         ? pipe_outputs(dynamic)
+  const bool lift = model.operation.type == OperationType::lift && !dynamic;
+  Names names = lift                   ? lift_outputs()
+                : model.has_pipe       ? pipe_outputs(dynamic)
                 : !model.lines.empty() ? line_outputs(dynamic)
                                        : hull_outputs(dynamic);
-  if (analysis == StudyAnalysis::seek) names.insert(names.begin(), "seek.answer");
+  if (analysis == StudyAnalysis::seek && !lift) names.insert(names.begin(), "seek.answer");
   return names;
 }
 
