@@ -28,7 +28,7 @@ explains the whole on examples, the [notebooks](README.md) use it.
 HEADINGS = {
     "model": "Models", "results": "Results", "objects": "Results by object", "findings": "Findings", "runs": "Several runs", "seeking": "Goal seek", "studies": "Studies",
     "lay_table": "Lay tables",
-    "operation": "Operations on the line", "sensitivities": "Derivatives", "simulation": "Simulations step by step",
+    "operation": "Operations on the line", "lift": "Stages of a lift", "sensitivities": "Derivatives", "simulation": "Simulations step by step",
     "controllers": "Controllers", "comparison": "Comparisons", "opening": "Results in folders", "plots": "Figures",
     "groups": "Groups and tables", "values": "Numbers and arrays", "examples": "Examples", "errors": "Errors",
 }

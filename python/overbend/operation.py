@@ -1,4 +1,4 @@
-"""Operations on the line: abandonment, recovery, start-up, the passage of structures, stage by stage."""
+"""Operations on the line: abandonment, recovery, start-up, the passage of structures, lifts, stage by stage."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from . import _core
 from .errors import NoSolution
 from .findings import findings_of
 from .groups import Record, Table, nearest, wrapped
+from .lift import LiftedLines, named
 from .objects import Objects, objects_in
 from .results import StaticResults, summary_descriptions, summary_units
 from .values import Number, labelled
@@ -24,6 +25,12 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 # Key results that the table of the stages has beside what is asked for: column, part of the summary of a stage.
 _KEY_RESULTS = ("top_tension", "bottom_tension", "lay_back", "suspended_length")
+
+
+# Of a lift: parts of the summary of a line and of a davit.
+_OF_LIFT = {"lines": (("first_end", "z"), ("first_end", "inclination"), ("largest_bending_moment", "value"),
+                      ("largest_bending_stress",)),
+            "davits": (("length",), ("tension_upper",), ("utilisation",))}
 
 
 class Stage(Record):
@@ -53,6 +60,31 @@ class Stage(Record):
 
     def __repr__(self) -> str:
         return f"<Stage '{self['name']}', {self['status']}>"
+
+
+class LiftStage(Stage):
+    """A stage of a lift: what hangs in the davits, and what the davits bear.
+
+    Attributes:
+        lines: The lines that are pipe, by their names: `lines['pipe'].first_end.z`, `lines['pipe'].nodes.z`.
+        davits: The lines that hang on others, by their names: length [m], tension_upper, tension_lower [N],
+            from_vertical_upper [rad], utilisation, force_on_pipe, and at their `attachment` moment, tension and shear.
+        gap: Where a weld is still to be made: dx, dy, dz [m], angle [rad].
+        join: Of the last weld: x, z [m], inclination [rad], tension, shear [N], moment [N m].
+        stands, static: As of every stage.
+    """
+
+    def __init__(self, operation: "OperationResults", number: int, told: dict[str, Any], units: dict[str, Any],
+                 descriptions: dict[str, Any], source: Any):
+        """Not for users: see OperationResults."""
+        super().__init__(operation, number, told, {**units, **named(_core.lift_units(), told)},
+                         {**descriptions, **named(_core.lift_descriptions(), told)})
+        self._source = source
+
+    @functools.cached_property
+    def lines(self) -> LiftedLines:
+        """The lines that are pipe."""
+        return LiftedLines(self._values, self._source, f"/operation/stage_{self._number + 1:03}/static")
 
 
 class OperationResults(Sequence[Stage]):
@@ -85,6 +117,8 @@ class OperationResults(Sequence[Stage]):
         for name in tree.names(group):
             if not name.endswith("/"):
                 _, units[name], descriptions[name], _, _ = tree.dataset(f"{group}/{name}")
+        if "davits" in told:
+            return LiftStage(self, number, told, units, descriptions, tree)
         return Stage(self, number, told, units, descriptions)
 
     @functools.cache
@@ -139,6 +173,7 @@ class OperationResults(Sequence[Stage]):
                     found = [one._values.get(name) for one in self]
                     columns[name] = _Column([np.nan if v is None else float(v) for v in found], stage._units[name],
                                             stage._descriptions.get(name, ""))
+        columns.update(self._columns_of_lift())
         worst = [one._values.get("checks", {}).get("worst") or {} for one in self]
         columns["status"] = _Column([stage["status"] for stage in self], "1", "converged or failed")
         columns["worst_check"] = _Column([one.get("name", "") for one in worst], "1", "Check that is used most")
@@ -153,6 +188,21 @@ class OperationResults(Sequence[Stage]):
 
         return Table(["stage", *columns], column)
 
+    def _columns_of_lift(self) -> dict[str, "_Column"]:
+        """Of a lift: of every line and davit what changes from stage to stage."""
+        if not any(isinstance(stage, LiftStage) for stage in self):
+            return {}
+        units, told = _core.lift_units(), _core.lift_descriptions()
+        columns = {}
+        for group, paths in _OF_LIFT.items():
+            for name in dict.fromkeys(name for stage in self for name in stage._values.get(group, {})):
+                for path in paths:
+                    found = [_below(stage._values, (group, name, *path)) for stage in self]
+                    columns[".".join((name, *path))] = _Column(
+                        [np.nan if v is None else v for v in found], _below(units, (group, "*", *path)),
+                        _below(told, (group, "*", *path)))
+        return columns
+
     def save(self, folder: PathLike) -> pathlib.Path:
         """Writes the files of `overbend static -o`: stages.csv, stages.xlsx, results.h5, summary.json, report.html.
 
@@ -165,6 +215,13 @@ class OperationResults(Sequence[Stage]):
     def __repr__(self) -> str:
         standing = sum(stage.stands for stage in self)
         return f"<OperationResults of '{self.title}', {self.type}: {standing} of {len(self)} stages stand>"
+
+
+def _below(values: Any, path: Sequence[str]) -> Any:
+    """What stands at a path in groups; None where there is nothing."""
+    for name in path:
+        values = values.get(name) if isinstance(values, dict) else None
+    return values
 
 
 class _Column:

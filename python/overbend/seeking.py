@@ -14,6 +14,7 @@ from .errors import ModelError, NoSolution
 from .groups import Record, Records, Table
 from .keys import flow
 from .model import Model, PathLike
+from .operation import OperationResults
 from .results import StaticResults
 from .values import Number, labelled, stored_unit
 
@@ -34,6 +35,9 @@ def seek(model: Model, vary: Union[str, Sequence[str], Mapping[str, Bounds], Non
         ob.seek(model, vary='tensioner.tension', until={'static.sagbend.max_bending_stress': '100 MPa'})
         ob.seek(model, vary={'supports.stinger.boxes[stinger *].z': {'within': '0.5 m'}},
                 until={'static.stinger_tip_clearance': '>= 0.3 m'}, minimise='spread(static.supports[*].reaction)')
+        ob.seek(lift, vary={'operation.stages[level].lengths[davit *]': {'within': '3 m'}},
+                until={'operation.stages[level].lines.pipe.first_end.z': '2.5 m'},
+                minimise='operation.stages[level].lines.pipe.largest_bending_moment.value')
 
     Args:
         model: The model that it begins with.
@@ -73,6 +77,7 @@ class SeekResult:
         others: Further answers of a single key [SI].
         jumps: Places where a single result leaps over the value wanted: at, below, above, why.
         remarks: What there is to say besides.
+        stages: Of a lift: the stages with the answer, each as a line for a model file.
         residual: Largest distance from a condition, relative to what is wanted.
         evaluations: Number of models solved.
         summary: All that, as summary.json has it as `seek`.
@@ -91,6 +96,7 @@ class SeekResult:
         self.others = [Number(value, units[0]) for value in told["others"]]
         self.jumps = Records([Record(jump) for jump in told["jumps"]])
         self.remarks: list[str] = told["remarks"]
+        self.stages: list[str] = told.get("stages", [])
         self.residual: float = told["residual"]
         self.evaluations: int = told["evaluations"]
 
@@ -113,8 +119,13 @@ class SeekResult:
 
     @property
     def static(self) -> Optional[StaticResults]:
-        """The statics of that model; None without an answer."""
-        return StaticResults(self._found.statics, self.model) if self.found else None
+        """The statics of that model; None without an answer, and of a lift."""
+        return StaticResults(self._found.statics, self.model) if self._found.statics else None
+
+    @property
+    def operation(self) -> Optional[OperationResults]:
+        """Of a lift the stages of that model; else None."""
+        return OperationResults(self._found.operation, self.model) if self._found.operation else None
 
     @property
     def path(self) -> Table:

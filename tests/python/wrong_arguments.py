@@ -120,6 +120,7 @@ def core_subjects():
         "StudyTables.__init__": (["study"], {}), "StudyTables.tree": ([], {}), "StudyTables.told": ([], {}),
         "flow_scalar": (["text"], {}), "has_operation": (["static/results.h5"], {}),
         "named_values": ([summary, "static.lay_back"], {}), "object_descriptions": ([], {}), "object_units": ([], {}),
+        "lift_units": ([], {}), "lift_descriptions": ([], {}),
         "quantity": (["1 m", "m"], {}), "result_paths": ([], {}),
         "run": ([moving, "run"], run), "seek": ([model, wanted], {}),
         "sensitivities": ([model, "", ["tensioner.tension"], False], {}), "summary_descriptions": ([], {}),

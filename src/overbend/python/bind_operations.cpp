@@ -6,6 +6,7 @@
 #include "base/file_lock.h"
 #include "python/bindings.h"
 #include "python/given.h"
+#include "python/operation_handle.h"
 #include "python/python_errors.h"
 #include "python/statics_handle.h"
 #include "python/to_python.h"
@@ -21,12 +22,6 @@ namespace overbend {
 namespace {
 
 namespace py = pybind11;
-
-/// The stages with the model that they are of.
-struct OperationHandle {
-  std::shared_ptr<ModelHandle> model;
-  OperationResults results;
-};
 
 /// How far the stages are, for the thread that waits.
 class StageWatch {

@@ -11,6 +11,7 @@
 #include "python/to_python.h"
 #include "resultfiles/hdf5/hdf5_file.h"
 #include "resultfiles/hdf5/result_tree.h"
+#include "resultfiles/summary/lift_units.h"
 #include "resultfiles/summary/named_dynamics.h"
 #include "resultfiles/summary/named_results.h"
 #include "resultfiles/summary/result_objects.h"
@@ -142,6 +143,11 @@ void add_results(py::module_& module) {
   module.def(
       "summary_descriptions", [] { return to_python(summary_descriptions()); },
       "Descriptions in the places of summary.json's numbers.");
+  module.def(
+      "lift_units", [] { return to_python(stored_lift_stage_units()); },
+      "Units in the places of the numbers of a stage of a lift; of lines and davits under '*'.");
+  module.def(
+      "lift_descriptions", [] { return to_python(lift_stage_descriptions()); }, "Descriptions likewise.");
   module.def(
       "object_units", [] { return to_python(result_objects(stored_summary_units())); },
       "Units in the places of the numbers of results by object; of lines by their kind, of supports by '*'.");

@@ -4,6 +4,7 @@
 #include "modelfile/reading/yaml_reader.h"
 #include "python/bindings.h"
 #include "python/given.h"
+#include "python/operation_handle.h"
 #include "python/statics_handle.h"
 #include "python/to_python.h"
 #include "python/without_lock.h"
@@ -21,6 +22,7 @@ struct SoughtHandle {
   Description description;
   std::shared_ptr<ModelHandle> answer;
   std::shared_ptr<StaticsHandle> statics;
+  std::shared_ptr<OperationHandle> operation;  ///< Of a lift, in place of the statics.
 };
 
 /// What was given here stands on no line of the model's file.
@@ -54,6 +56,10 @@ std::shared_ptr<SoughtHandle> sought(const ModelHandle& model, const std::string
   found->run = run_seek(found->description, *seek, stop);
   if (!found->run.results.found) return found;
   found->answer = model.changed(answer_changes(found->description, *seek, found->run.results));
+  if (found->run.operation) {
+    found->operation = std::make_shared<OperationHandle>(OperationHandle{found->answer, *found->run.operation});
+    return found;
+  }
   found->statics = std::make_shared<StaticsHandle>(found->answer, "", found->run.statics);
   return found;
 }
@@ -80,6 +86,7 @@ void add_seek(py::module_& module) {
                              [](const GivenSought& found) { return to_python(seek_json(found->run.results)); })
       .def_property_readonly("model", [](const GivenSought& found) { return found->answer; })
       .def_property_readonly("statics", [](const GivenSought& found) { return found->statics; })
+      .def_property_readonly("operation", [](const GivenSought& found) { return found->operation; })
       .def("save", &save_seek, py::arg("folder"));
   module.def("seek", &seek_of, py::arg("model"), py::arg("wanted"),
              "Searches for what the text in YAML's flow style says as the key `seek`; empty: the model's own.");

@@ -41,8 +41,8 @@ PYBIND11_MODULE(_core, module) {
   overbend::add_statics(module);
   overbend::add_controllers(module);
   overbend::add_dynamics(module);
-  overbend::add_seek(module);
   overbend::add_operations(module);
+  overbend::add_seek(module);
   overbend::add_lay_tables(module);
   overbend::add_sensitivities(module);
   overbend::add_studies(module);
