@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/stress.h"
+
 namespace overbend {
 namespace {
 
@@ -26,13 +28,33 @@ LineSections find_sections(const Description& description, const FreeLineDescrip
   return sections;
 }
 
+/// A run with the static state of the same lines; null: none.
+struct LineRun {
+  const std::vector<LineResult>* rest = nullptr;
+  const std::vector<LineDynamics>* lines = nullptr;
+
+  const LineDynamics* find(const std::string& name) const {
+    if (lines == nullptr) return nullptr;
+    const auto found = std::ranges::find(*lines, name, &LineDynamics::name);
+    return found == lines->end() ? nullptr : &*found;
+  }
+  /// The node of a line at an arc length.
+  std::size_t node_at(const std::string& name, double s) const {
+    const std::vector<LineNodeResult>& nodes = std::ranges::find(*rest, name, &LineResult::name)->nodes;
+    const auto nearest =
+        std::ranges::min_element(nodes, {}, [s](const LineNodeResult& node) { return std::abs(node.s - s); });
+    return static_cast<std::size_t>(nearest - nodes.begin());
+  }
+};
+
 /// Largest force of what hangs on a line at a place [N].
-double attached_force(const LiftResults& lift, const std::string& line, double arc_length) {
+double attached_force(const LiftResults& lift, const LineRun& run, const std::string& line, double arc_length) {
   constexpr double kSamePlace = 1e-6;  // [m]
   double largest = 0.0;
   for (const LiftedWire& wire : lift.davits) {
     if (wire.on != line || std::abs(wire.at.arc_length - arc_length) > kSamePlace) continue;
     largest = std::max(largest, wire.force.norm());
+    if (const LineDynamics* moved = run.find(wire.name)) largest = std::max(largest, moved->largest_tension);
   }
   return largest;
 }
@@ -62,8 +84,29 @@ std::vector<LoadFactors> line_combinations(const Description& description) {
   return combinations;
 }
 
-CheckStations stations_of(const Model& model, const LiftResults& lift, const LiftedLine& line) {
+/// What a run adds at a node: the larger moment about the axis of the static one, and a tension.
+void add_run(double moment, double tension, const Section& pipe, CheckStation& station) {
+  const double rest = station.moment, more = std::max(moment - rest, 0.0);
+  const Vec3 axis = rest > 0.0 ? Vec3(station.effects.functional / rest) : Vec3::UnitX();
+  station.effects.current = more * axis;
+  station.effects.current_strain = more / pipe.EI * 0.5 * pipe.steel_diameter * Vec3::UnitX();
+  station.effects.tension = tension - station.force;
+  SectionLoads loads;
+  loads.effective_tension = tension;
+  loads.bending_moment = rest + more;
+  loads.curvature = loads.bending_moment / pipe.EI;
+  loads.z = station.p_W.z();
+  loads.external_pressure = station.external_pressure;
+  loads.internal_pressure = station.external_pressure - station.overpressure;
+  const SectionStress stress = section_stress(pipe, loads);
+  station.largest_von_mises.value = std::max(station.largest_von_mises.value, stress.von_mises);
+  station.largest_strain.value = std::max(station.largest_strain.value, stress.strain);
+  station.largest_tension.value = std::max(station.largest_tension.value, tension);
+}
+
+CheckStations stations_of(const Model& model, const LiftResults& lift, const LiftedLine& line, const LineRun& run) {
   const Description& description = model.description;
+  const LineDynamics* const moved = run.find(line.name);
   const auto described = std::ranges::find(description.lines, line.name, &FreeLineDescription::name);
   const LineSections sections = find_sections(description, *described);
   const std::vector<LoadFactors> combinations = line_combinations(description);
@@ -75,13 +118,21 @@ CheckStations stations_of(const Model& model, const LiftResults& lift, const Lif
     if (index < 0) continue;
     const auto section = static_cast<std::size_t>(index);
     const CheckSection& check = sections.checks[section];
-    CheckStation station = station_of(node, sections.pipe[section], description.environment.water_weight_density);
+    const Section& pipe = sections.pipe[section];
+    CheckStation station = station_of(node, pipe, description.environment.water_weight_density);
     station.section = section;
     if (description.checks.point_load) {
-      station.roller_force = attached_force(lift, line.name, station.s);
+      station.roller_force = attached_force(lift, run, line.name, station.s);
       station.share = point_load_factor(check.wall, check.fy, station.roller_force);
     }
     factor_static(station, check, combinations);
+    if (moved != nullptr && !moved->moment_at_nodes.empty()) {
+      const std::size_t k = run.node_at(line.name, station.s);
+      for (const double tension : {moved->least_at_nodes[k], moved->largest_at_nodes[k]}) {
+        add_run(moved->moment_at_nodes[k], tension, pipe, station);
+        factor_static(station, check, combinations);
+      }
+    }
     out.stations.push_back(station);
   }
   return out;
@@ -95,7 +146,17 @@ bool raises_factors_for_current(const Description& description) {
 
 std::vector<CheckStations> line_stations(const Model& model, const LiftResults& lift) {
   std::vector<CheckStations> all;
-  for (const LiftedLine& line : lift.lines) all.push_back(stations_of(model, lift, line));
+  for (const LiftedLine& line : lift.lines) all.push_back(stations_of(model, lift, line, {}));
+  return all;
+}
+
+std::vector<CheckStations> line_stations_in_time(const Model& model, const StaticResults& statics,
+                                                 const std::vector<LineDynamics>& run) {
+  std::vector<CheckStations> all;
+  const LineRun of_lines{&statics.lines, &run};
+  for (const LiftedLine& line : statics.lift->lines) {
+    all.push_back(stations_of(model, *statics.lift, line, of_lines));
+  }
   return all;
 }
 

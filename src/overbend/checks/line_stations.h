@@ -13,6 +13,11 @@ namespace overbend {
 /// functional and the environmental load factor.
 std::vector<CheckStations> line_stations(const Model& model, const LiftResults& lift);
 
+/// The same over a run from that state, with the largest moment and the tension that is worse of each node, which need
+/// not be of one instant: on the safe side. What is more than in the static state is an environmental load effect.
+std::vector<CheckStations> line_stations_in_time(const Model& model, const StaticResults& statics,
+                                                 const std::vector<LineDynamics>& run);
+
 /// Whether the load factors of lines are raised for the current.
 bool raises_factors_for_current(const Description& description);
 

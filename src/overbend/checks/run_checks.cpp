@@ -7,7 +7,6 @@
 #include "base/constants.h"
 #include "checks/calculation_sheet.h"
 #include "checks/check_assumptions.h"
-#include "checks/check_row.h"
 #include "checks/check_rows.h"
 #include "checks/line_stations.h"
 #include "checks/mooring_rows.h"
@@ -86,24 +85,27 @@ std::vector<CheckRow> rows_of_pipe(const CheckStations& all, const CheckSettings
   return rows;
 }
 
-/// Of a line by itself, each row with its name. Bending moments of lines are not kept over time.
+/// Of a line by itself, each row with its name.
 std::vector<CheckRow> rows_of_line(const CheckStations& line, const Model& model, bool in_time) {
-  const CheckSettings& settings = model.description.checks;
-  std::vector<CheckRow> rows;
-  if (in_time && !line.stations.empty()) {
-    static constexpr CheckTitle kPipe = {"line_pipe", "Pipe of a line", "DNV-ST-F101, API RP 1111", "", "", ""};
-    outside(rows.emplace_back(row_of(kPipe, CheckRegion::line)),
-            "bending moments of lines are not kept over time; the statics of the model have its checks");
-  } else {
-    rows = rows_of_pipe(line, settings);
-  }
+  std::vector<CheckRow> rows = rows_of_pipe(line, model.description.checks);
+  const auto remark = [](CheckRow& row, const char* text) {
+    row.remark += (row.remark.empty() ? "" : "; ") + std::string(text);
+  };
   for (CheckRow& row : rows) {
     row.line = line.line;
+    if (in_time) remark(row, "of the run, moment and tension of each place not of one instant");
     if (row.id != "dnv_load_controlled" || !raises_factors_for_current(model.description)) continue;
-    row.remark += row.remark.empty() ? "" : "; ";
-    row.remark += "in a current: all load effects have the factor of environmental ones";
+    remark(row, "in a current: all load effects have the factor of environmental ones");
   }
   return rows;
+}
+
+/// Of the lines that are pipe; none without any.
+std::vector<CheckStations> stations_of_lines(const Model& model, const StaticResults& statics,
+                                             const DynamicResults* dynamics) {
+  if (!statics.lift) return {};
+  return dynamics == nullptr ? line_stations(model, *statics.lift)
+                             : line_stations_in_time(model, statics, dynamics->lines);
 }
 
 /// Of every object that is there. `dynamics`: of a run from that rest, or null.
@@ -116,8 +118,7 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
   const auto pipe_rows = static_cast<std::ptrdiff_t>(table.rows.size());
   append(table.rows, equipment_rows(model, statics, dynamics));
   if (statics.moorings) append(table.rows, mooring_rows(model.description, *statics.moorings, dynamics));
-  const std::vector<CheckStations> lines =
-      statics.lift ? line_stations(model, *statics.lift) : std::vector<CheckStations>{};
+  const std::vector<CheckStations> lines = stations_of_lines(model, statics, dynamics);
   for (const CheckStations& line : lines) append(table.rows, rows_of_line(line, model, dynamics != nullptr));
   append(table.rows, line_rows(model.description, statics.lines, dynamics != nullptr ? &dynamics->lines : nullptr));
   if (dynamics != nullptr && dynamics->duration < kThreeHours) {

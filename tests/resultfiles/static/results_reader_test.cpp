@@ -74,7 +74,8 @@ TEST(field_lists, hold_every_single_value) {
   visit_region(results.sagbend, [&](const ResultField&, const Extreme&) { ++extremes; });
   EXPECT_EQ(all.bytes + sizeof(results.touchdown) + sizeof(results.solve) + sizeof(results.overbend) +
                 sizeof(results.tower) + sizeof(results.smallest_tension) + sizeof(results.sagbend) + kListBytes +
-                kListBytes + kListBytes + kListBytes + sizeof(results.checks) + sizeof(results.moorings) +
+                kListBytes + kListBytes + kListBytes + sizeof(results.points) + sizeof(results.wires) +
+                sizeof(results.sum_attached) + sizeof(results.checks) + sizeof(results.moorings) +
                 sizeof(results.hull) + sizeof(results.head) + sizeof(results.cable) + sizeof(results.far_anchor) +
                 sizeof(results.stinger) + sizeof(results.bed) + sizeof(results.route) +
                 sizeof(results.roller_friction) + sizeof(results.lines) + sizeof(results.lift) +

@@ -38,6 +38,7 @@ constexpr std::array kNumbers = {
     LiftNumber{"vertical_force", "N", "N", "With which the end is held up"},
     LiftNumber{"value", "N*m", "N m", "The largest such moment of the line"},
     LiftNumber{"largest_bending_stress", "N/m^2", "Pa", "Largest bending stress of the steel"},
+    LiftNumber{"largest_von_mises", "N/m^2", "Pa", "Largest von Mises stress of the steel"},
     LiftNumber{"largest_tension", "N", "N", "Largest effective tension"},
     LiftNumber{"least_tension", "N", "N", "Least effective tension"},
     LiftNumber{"suspended_length", "m", "m", "Length that the bed does not bear"},
