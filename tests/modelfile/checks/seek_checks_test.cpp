@@ -183,13 +183,29 @@ TEST(seek_keys, of_a_lift_name_what_its_stages_have) {
       lift_complaint(vary + "  until: {result: 'operation.stages[level].davits.davit 9.length', equals: 2 m}\n"),
       {"seek.until.result", "there is no 'davit 9'", "davit 3"});
   expect_words(lift_complaint(vary + "  until: {result: static.lay_back, equals: 2 m}\n"),
-               {"seek.until.result", "a result of a stage of the lift"});
+               {"seek.until.result", "a result of a stage of the operation"});
   expect_words(
       lift_complaint(vary + "  until: {result: 'operation.stages[level].lines.pipe.first_end.w', equals: 2 m}\n"),
       {"seek.until.result", "did you mean 'operation.stages[].lines[].first_end."});
   expect_words(
       lift_complaint(vary + "  until: {result: 'operation.stages[level].lines.pipe.first_end.z', equals: 2 kN}\n"),
       {"seek.until.equals", "a force", "a length"});
+}
+
+TEST(seek_keys, of_a_pull_name_results_of_its_stages) {
+  const std::string text = testing::file_text(OVERBEND_SOURCE_DIR "/examples/shore-pull.yaml");
+  const auto errors = [&](const std::string& result) {
+    return read_model_text(
+               text + "\nseek:\n  vary: {key: operation.winch.depth, from: -5 m, to: 5 m}\n  until: {result: '" +
+                   result + "', at_most: 600 kN}\n",
+               "pull.yaml")
+        .diagnostics.lines(Severity::error);
+  };
+  EXPECT_TRUE(errors("operation.stages[10].tension.winch").empty());
+  EXPECT_TRUE(errors("max(operation.stages[*].wire_largest_tension)").empty());
+  ASSERT_EQ(errors("static.top_tension").size(), 1U);
+  expect_words(errors("static.top_tension").front(),
+               {"seek.until.result", "operation.stages[0].tension.winch of a pull"});
 }
 
 }  // namespace

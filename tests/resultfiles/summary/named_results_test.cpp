@@ -96,6 +96,15 @@ TEST(named_results, of_stages_of_a_lift_have_units) {
   EXPECT_FALSE(result_unit("operation.stages[2].lines[pipe].name"));
 }
 
+TEST(named_results, of_stages_of_a_pull_have_units) {
+  EXPECT_EQ(result_unit("operation.stages[2].tension.winch"), "N");
+  EXPECT_EQ(result_unit("operation.stages[2].wire_utilisation"), "1");
+  EXPECT_EQ(result_unit("operation.stages[2].sagbend.moment"), "N*m");
+  EXPECT_EQ(result_unit("operation.stages[2].sagbend.max_von_mises"), "N/m^2");
+  EXPECT_EQ(result_unit("max(operation.stages[*].winch.inclination)"), "rad");
+  EXPECT_FALSE(result_unit("operation.stages[2].tension.bow"));
+}
+
 TEST(named_results, choose_lines_and_davits_by_name_or_pattern) {
   const Json davits = {
       {"davit 1", {{"tension", 3.0}}}, {"davit 10", {{"tension", 5.0}}}, {"sling", {{"tension", 9.0}}}};

@@ -264,5 +264,22 @@ TEST(seek_stages, brings_two_ends_together_level) {
   EXPECT_NEAR(found.unknowns[1].answer, found.unknowns[3].answer, 0.01);
 }
 
+// Collocation of the elastica and integration along the bed have 256,903 N at the winch with 150 kN at the tensioner
+// (SP12, first stage); they are known to 0.2 %.
+TEST(seek_stages, finds_the_tension_of_a_pull_for_that_at_its_winch) {
+  const std::string file = OVERBEND_SOURCE_DIR "/validation/operation_cases/SP12";
+  const Json wanted = read_json_file(file + ".expected.json")["operation"]["stages"][0]["tension"];
+  const std::string text =
+      edit_yaml(testing::file_text(file + ".yaml"), {{"operation.stages.tension", YamlChange::Kind::scalar, "hold"},
+                                                     {"tensioner.tension", YamlChange::Kind::scalar, "120 kN"}}) +
+      "\nseek:\n  vary: {key: tensioner.tension, from: 100 kN, to: 200 kN}\n  until:\n" +
+      condition("operation.stages[0].tension.winch", wanted["winch"], "N");
+  const Description description = read_model_text(text, file + ".yaml").description.value();
+  const SeekRun run = run_seek(description, read_seek(description).value());
+  ASSERT_TRUE(run.results.found && run.operation) << run.results.why;
+  EXPECT_NEAR(run.results.unknowns[0].answer, wanted["tensioner"].get<double>(), 0.002 * 150e3);
+  EXPECT_EQ(run.operation->stages.size(), 9U);  // all are written, though the search looked at the first alone
+}
+
 }  // namespace
 }  // namespace overbend

@@ -2,6 +2,8 @@
 
 #include "base/name_parts.h"
 #include "base/text.h"
+#include "model/description/operation_words.h"
+#include "model/description/sought_operations.h"
 #include "modelfile/checks/box_row_checks.h"
 #include "modelfile/checks/line_checks.h"
 #include "modelfile/checks/model_checks.h"
@@ -12,15 +14,16 @@ namespace overbend {
 namespace {
 
 constexpr const char* kNoStages =
-    "a goal seek looks at the lay as such, not at the stages of its operation, unless that is a lift";
+    "a goal seek looks at the lay as such, not at the stages of its operation, unless that is a lift or a pull";
 
 bool of_operation(const std::string& path) {
   return path.starts_with("operation.") || path.starts_with("stages[");
 }
 
-bool is_lift(const Checker& check) {
-  const FieldValue* type = check.root().find("operation.type");
-  return type != nullptr && type->text == "lift";
+bool looks_at_stages(const Checker& check) {
+  const std::optional<std::string> word = check.root().get_text("operation.type");
+  const std::optional<OperationType> type = operation_of_word(word.value_or(""));
+  return type && is_sought_by_stages(*type);
 }
 
 /// Members of a group that is given once or as a list.
@@ -104,7 +107,7 @@ void check_variable(Checker& check, const FieldValue& variable) {
                 "items of lists are chosen in brackets: supports.stinger.boxes[stinger 3].z");
     return;
   }
-  if (of_operation(key->text) && !is_lift(check)) {
+  if (of_operation(key->text) && !looks_at_stages(check)) {
     check.error(*key, key->shown, "a key that the lay itself has", kNoStages);
     return;
   }
@@ -153,7 +156,7 @@ bool check_names_in_stage(Checker& check, const FieldValue& result, const std::v
     for (std::size_t k = 0; k < names.size(); ++k) {
       any = any || (list == "stages" ? chooses_item(name.text, k, names[k]) : matches_pattern(name.text, names[k]));
     }
-    if (any) continue;
+    if (any || names.empty()) continue;  // stages at even steps have no names
     check.error(result, result.shown, "the name of " + std::string(list == "stages" ? "a stage" : "a line"),
                 "there is no '" + for_display(name.text) + "'; the model has " + join_words(names, "and"));
     return false;
@@ -161,25 +164,26 @@ bool check_names_in_stage(Checker& check, const FieldValue& result, const std::v
   return true;
 }
 
-/// Of a lift the results are those of its stages.
+/// Of a lift and of a pull the results are those of its stages.
 bool check_stage_result(Checker& check, const FieldValue& result) {
   const std::string path = parsed_result_name(result.text).path;
   const std::optional<std::vector<NamePart>> parts = name_parts(path);
   if (path.starts_with("checks.")) return true;
   if (parts && path.starts_with("operation.stages[")) return check_names_in_stage(check, result, *parts);
-  check.error(result, result.shown, "a result of a stage of the lift",
-              "such as operation.stages[0].lines.pipe.first_end.z");
+  check.error(
+      result, result.shown, "a result of a stage of the operation",
+      "such as operation.stages[0].lines.pipe.first_end.z of a lift, operation.stages[0].tension.winch of a pull");
   return false;
 }
 
 bool check_result(Checker& check, const FieldValue* result) {
   if (result == nullptr) return false;
-  const bool lift = is_lift(check);
-  if (!lift && of_operation(parsed_result_name(result->text).path)) {
+  const bool stages = looks_at_stages(check);
+  if (!stages && of_operation(parsed_result_name(result->text).path)) {
     check.error(*result, result->shown, "the path of a number in summary.json of a static analysis", kNoStages);
     return false;
   }
-  if (result_row(result->text)) return !lift || check_stage_result(check, *result);
+  if (result_row(result->text)) return !stages || check_stage_result(check, *result);
   check.error(*result, result->shown, "the path of a number in summary.json of a static analysis",
               nearest_result(result->text));
   return false;

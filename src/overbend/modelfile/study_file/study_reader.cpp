@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "model/description/sought_operations.h"
 #include "model/description/study_words.h"
 #include "modelfile/binding/binding.h"
 #include "modelfile/fields/seek_values.h"
@@ -35,8 +36,8 @@ class StudyBinder {
     study_.title = root_.get_text("title").value_or(base_.title);
     study_.base = base_.source_file;
     study_.analysis = root_.get_word<StudyAnalysis>("analysis").value_or(StudyAnalysis::statics);
-    if (study_.analysis == StudyAnalysis::statics && base_.operation.type == OperationType::lift) {
-      study_.analysis = StudyAnalysis::operation;  // the statics of a lift are those of its stages
+    if (study_.analysis == StudyAnalysis::statics && is_sought_by_stages(base_.operation.type)) {
+      study_.analysis = StudyAnalysis::operation;  // the statics of a lift or a pull are those of its stages
     }
     study_.keep = root_.get_text("keep") == "true";
     study_.axes = read_axes(check_, keys_);

@@ -94,8 +94,11 @@ std::string whole_page(const std::string& title, const std::string& body, const 
   return page_of(title, body, scripts(json_text(data), names));
 }
 
-std::string operation_page(const std::string& title, const std::string& body, const std::string& data) {
-  return page_of(title, body, scripts(data, {"d3", "data", "chart", "stages", "main"}));
+std::string operation_page(const std::string& title, const std::string& body, const Json& data) {
+  std::vector<const char*> names = {"d3", "data", "chart", "stages"};
+  if (data.contains("seek")) names.emplace_back("seek");
+  names.emplace_back("main");
+  return page_of(title, body, scripts(json_text(data), names));
 }
 
 std::string lay_table_frame(const std::string& title, const std::string& body, const std::string& data) {

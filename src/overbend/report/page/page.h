@@ -13,7 +13,7 @@ namespace overbend {
 std::string whole_page(const std::string& title, const std::string& body, const Json& data);
 
 /// Of an operation on the line, whose figures are those of its stages.
-std::string operation_page(const std::string& title, const std::string& body, const std::string& data);
+std::string operation_page(const std::string& title, const std::string& body, const Json& data);
 
 /// The same of a lay table.
 std::string lay_table_frame(const std::string& title, const std::string& body, const std::string& data);

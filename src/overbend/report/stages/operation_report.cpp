@@ -121,8 +121,9 @@ std::string operation_report_html(const OperationResults& results, const std::st
   const std::string page =
       front_page(front, verdict_with_stage(results), operation_bars(results),
                  std::string("The mark on the bar is the full capacity. ") + kBasisOfChecks + " ", rest);
-  if (first != nullptr) return whole_page(title, page, first->data);
-  return operation_page(title, page, lift ? "{}" : stages_data(results, description));
+  Json data = lift ? Json::object() : read_json(stages_data(results, description));
+  if (first != nullptr) data.update(first->data);
+  return operation_page(title, page, data);
 }
 
 void write_operation_report(const OperationResults& results, const std::string& model_text,

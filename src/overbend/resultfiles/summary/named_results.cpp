@@ -9,6 +9,7 @@
 #include "base/name_parts.h"
 #include "resultfiles/summary/lift_units.h"
 #include "resultfiles/summary/named_dynamics.h"
+#include "resultfiles/summary/pull_units.h"
 #include "resultfiles/summary/result_units.h"
 #include "results/fields/object_names.h"
 
@@ -91,13 +92,18 @@ const Json* unit_at(const Json& table, const std::vector<NamePart>& parts) {
   return at->is_string() ? at : nullptr;
 }
 
-/// Of what the stages of a lift have; other operations have the results of a lay at each.
+Json units_of_stages(Json stage) {
+  stage["checks"] = summary_units().at("checks");
+  return Json{{"operation", {{"stages", Json::array({std::move(stage)})}}}};
+}
+
 const Json& lift_units() {
-  static const Json kUnits = [] {
-    Json stage = lift_stage_units();
-    stage["checks"] = summary_units().at("checks");
-    return Json{{"operation", {{"stages", Json::array({stage})}}}};
-  }();
+  static const Json kUnits = units_of_stages(lift_stage_units());
+  return kUnits;
+}
+
+const Json& pull_units() {
+  static const Json kUnits = units_of_stages(pull_stage_units(summary_units().at("static")));
   return kUnits;
 }
 
@@ -158,13 +164,16 @@ std::optional<double> named_result(const Json& summary, const std::string& name)
 }
 
 std::optional<std::string> result_unit(const std::string& name) {
-  std::optional<std::string> unit = unit_of(summary_units(), name);
-  return unit ? unit : unit_of(lift_units(), name);
+  for (const Json* units : {&summary_units(), &lift_units(), &pull_units()}) {
+    if (std::optional<std::string> unit = unit_of(*units, name)) return unit;
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> result_paths() {
   std::vector<std::string> paths = paths_of(summary_units());
   list_paths(lift_units(), "", paths);
+  list_paths(pull_units(), "", paths);
   return paths;
 }
 

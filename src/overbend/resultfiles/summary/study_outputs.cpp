@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/text.h"
+#include "model/description/sought_operations.h"
 #include "resultfiles/summary/named_dynamics.h"
 #include "resultfiles/summary/named_results.h"
 #include "resultfiles/summary/result_units.h"
@@ -116,6 +117,13 @@ Names lift_outputs() {
           "checks.governing"};
 }
 
+/// Of all stages of a pull along the bed.
+Names pull_outputs() {
+  const std::string stages = "operation.stages[*].";
+  return {"max(" + stages + "tension.winch)", "max(" + stages + "wire_utilisation)", "min(" + stages + "least_tension)",
+          "max(" + stages + "sagbend.moment)", "checks.governing"};
+}
+
 constexpr std::array kOfSeek = {"seek.answer", "seek.slope", "seek.residual", "seek.evaluations"};
 
 /// Of the first condition by the key: as in the summary.
@@ -157,12 +165,14 @@ std::string nearest_output(StudyAnalysis analysis, const std::string& name) {
 
 std::vector<std::string> usual_outputs(StudyAnalysis analysis, const Description& model) {
   const bool dynamic = analysis == StudyAnalysis::dynamic;
-  const bool lift = model.operation.type == OperationType::lift && !dynamic;
+  const bool stages = is_sought_by_stages(model.operation.type) && !dynamic;
+  const bool lift = stages && model.operation.type == OperationType::lift;
   Names names = lift                   ? lift_outputs()
+                : stages               ? pull_outputs()
                 : model.has_pipe       ? pipe_outputs(dynamic)
                 : !model.lines.empty() ? line_outputs(dynamic)
                                        : hull_outputs(dynamic);
-  if (analysis == StudyAnalysis::seek && !lift) names.insert(names.begin(), "seek.answer");
+  if (analysis == StudyAnalysis::seek && !stages) names.insert(names.begin(), "seek.answer");
   return names;
 }
 

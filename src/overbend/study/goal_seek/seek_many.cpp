@@ -92,7 +92,10 @@ class ManyKeys {
 
   /// Models of a lift are solved in milliseconds. Davits that are slack on the way have no derivatives, and the largest
   /// moment has several optima: all that the bounds allow is looked over.
-  bool looks_everywhere() const { return history_.model().stages() != nullptr && !seek_.minimise.empty(); }
+  bool looks_everywhere() const {
+    const SeekStages* stages = history_.model().stages();
+    return stages != nullptr && stages->are_quick() && !seek_.minimise.empty();
+  }
 
   /// The model's own values, or where these have no equilibrium the nearest place that has one.
   VectorXd first_that_stands() {

@@ -8,6 +8,7 @@
 #include "base/require.h"
 #include "base/threads.h"
 #include "base/units.h"
+#include "model/description/sought_operations.h"
 #include "modelfile/fields/seek_values.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "modelfile/yaml/chosen_keys.h"
@@ -73,7 +74,7 @@ SeekModel::SeekModel(const Description& description, const SeekDescription& seek
     }
   }
   if (unknowns_.empty()) throw SeekFault("no item of the model is chosen by the keys to vary");
-  if (base_.operation.type != OperationType::lift) {
+  if (!is_sought_by_stages(base_.operation.type)) {
     base_.operation = {};  // which neither statics nor the search looks at
     return;
   }

@@ -1,4 +1,4 @@
-/// A model whose keys are set anew and again, and its statics, or those of the stages of its lift.
+/// A model whose keys are set anew and again, and its statics, or those of the stages of its lift or pull.
 #pragma once
 
 #include <functional>
@@ -53,7 +53,7 @@ class SeekModel {
     if (stop_ && stop_()) throw Interrupted();
   }
 
-  /// Of a lift: its stages, which the results are of; else null.
+  /// Of a lift or a pull: its stages, which the results are of; else null.
   const SeekStages* stages() const { return stages_ ? &*stages_ : nullptr; }
 
   /// What puts the values into the text of the model, in the units of its keys and with so many significant digits.

@@ -1,6 +1,7 @@
 #include "study/goal_seek/seek_run.h"
 
 #include "base/interruption.h"
+#include "model/description/sought_operations.h"
 #include "modelfile/reading/yaml_reader.h"
 #include "modelfile/yaml/moved_text.h"
 #include "report/report.h"
@@ -30,7 +31,7 @@ Description with_answer(const Description& description, const SeekDescription& w
   return std::move(*reading.description);
 }
 
-/// All stages of the lift that is written. The search went the same way.
+/// All stages of the lift or pull that is written. The search went the same way.
 void solve_stages(SeekRun& run) {
   run.operation = solve_operation(run.answer);
   run.results.stages = stage_lines(run.answer, run.results.unknowns);
@@ -68,7 +69,7 @@ SeekRun run_seek(const Description& description, const SeekDescription& wanted, 
   SeekRun run{std::move(outcome.results), {}, {}, {}};
   if (!run.results.found) return run;
   run.answer = with_answer(description, wanted, run.results);
-  if (run.answer.operation.type == OperationType::lift) {
+  if (is_sought_by_stages(run.answer.operation.type)) {
     solve_stages(run);
     return run;
   }

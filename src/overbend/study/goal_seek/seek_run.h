@@ -13,7 +13,7 @@ struct SeekRun {
   SeekResults results;
   Description answer;                         ///< The model with the values put in.
   StaticRun statics;                          ///< Of that model; empty without an answer.
-  std::optional<OperationResults> operation;  ///< In place of that of a lift: all its stages.
+  std::optional<OperationResults> operation;  ///< Of a lift or pull, in their place: all its stages.
 
   /// What there is to say of the answer.
   Findings findings() const;

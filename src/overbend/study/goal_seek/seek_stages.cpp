@@ -9,10 +9,12 @@
 #include <stdexcept>
 
 #include "base/name_parts.h"
+#include "model/lay_stage.h"
 #include "modelfile/yaml/yaml_edit.h"
 #include "modelfile/yaml/yaml_path.h"
 #include "resultfiles/static/case_summary.h"
 #include "resultfiles/summary/named_results.h"
+#include "study/stages/lay_operation.h"
 
 namespace overbend {
 namespace {
@@ -77,6 +79,11 @@ Json stage_json(const StageResult& stage) {
   return json;
 }
 
+std::runtime_error failure_of(const StageResult& stage) {
+  return std::runtime_error(
+      fmt::format("stage '{}': {}: {}", stage.stage.name, stage.failure->what, stage.failure->why));
+}
+
 /// The check used most at any stage.
 Json worst_of(const Json& stages) {
   Json worst;
@@ -102,8 +109,9 @@ std::string flow_text(const YamlNode& node) {
 }  // namespace
 
 SeekStages::SeekStages(const Description& description, const SeekDescription& seek,
-                       const std::vector<SeekUnknown>& unknowns) {
-  const Stages& stages = description.operation.lay.stages;
+                       const std::vector<SeekUnknown>& unknowns)
+    : lift_(description.operation.type == OperationType::lift) {
+  const Stages stages = lay_stages(description);
   for (const SeekCondition& condition : seek.until) last_ = std::max(last_, last_stage(stages, condition.result));
   if (!seek.minimise.empty()) last_ = std::max(last_, last_stage(stages, seek.minimise));
   first_ = stages.size();
@@ -116,7 +124,7 @@ SeekStages::SeekStages(const Description& description, const SeekDescription& se
     first_ = std::min(first_, stage.value_or(0));
   }
   const bool others = std::ranges::any_of(unknowns, [](const SeekUnknown& u) { return !stage_of_key(u.path); });
-  if (others) {
+  if (others || !lift_) {
     first_ = 0;
     return;
   }
@@ -129,14 +137,22 @@ SeekStages::SeekStages(const Description& description, const SeekDescription& se
 }
 
 Json SeekStages::solve(const Description& description) const {
+  if (lift_) return solve_lift_stages(description);
+  std::size_t done = 0;
+  const OperationResults results =
+      solve_operation(description, [&](const StageResult&, std::size_t) { return ++done <= last_; });
+  for (const StageResult& stage : results.stages) {
+    if (stage.failure) throw failure_of(stage);
+  }
+  return operation_summary_json(results);
+}
+
+Json SeekStages::solve_lift_stages(const Description& description) const {
   Lift lift = before_ ? *before_ : Lift(description);
   Json stages = stages_;
   for (std::size_t i = first_; i <= last_; ++i) {
     const StageResult stage = lift.next(description.operation.lay.stages);
-    if (stage.failure) {
-      throw std::runtime_error(
-          fmt::format("stage '{}': {}: {}", stage.stage.name, stage.failure->what, stage.failure->why));
-    }
+    if (stage.failure) throw failure_of(stage);
     stages.push_back(stage_json(stage));
   }
   Json summary = {{"checks", {{"worst", worst_of(stages)}}}};

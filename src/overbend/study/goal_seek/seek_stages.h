@@ -1,4 +1,4 @@
-/// Stages of a lift as what a goal seek looks at.
+/// Stages of a lift or of a pull as what a goal seek looks at.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,8 @@
 
 namespace overbend {
 
-/// The first stage that a seek changes and the last whose results it asks for. What lies before the first is solved
-/// once: every model of the search goes on from there, the way that the operation itself goes.
+/// The first stage that a seek changes and the last whose results it asks for. Of a lift what lies before the first is
+/// solved once: every model of the search goes on from there, the way that the operation itself goes.
 class SeekStages {
  public:
   /// Throws std::invalid_argument, with a sentence for the user, where a key changes nothing that is asked for.
@@ -24,11 +24,17 @@ class SeekStages {
   /// std::runtime_error where a stage cannot be. Several threads may call it.
   Json solve(const Description& description) const;
 
+  /// Whether a model is solved in milliseconds.
+  bool are_quick() const { return lift_; }
+
   /// Values along lines, node by node and the same nodes in every model, the largest of which is the result; empty
   /// where it is none of these.
   std::string largest_along(const std::string& result) const;
 
  private:
+  Json solve_lift_stages(const Description& description) const;
+
+  bool lift_;
   std::size_t first_ = 0, last_ = 0;
   std::shared_ptr<const Lift> before_;  ///< At the stage before `first_`; null where keys change more than stages.
   Json stages_ = Json::array();         ///< Up to there.
