@@ -16,6 +16,8 @@ Group dynamic();
 Group convergence();
 Group lines();
 Group lay_operations();
+Group lifts();
+Group pulls();
 Group uneven_beds();
 Group stingers();
 Group fatigue();
