@@ -160,7 +160,7 @@ TEST(lines_analysis, judges_pipe_between_two_ends_by_its_stress) {
   EXPECT_NEAR(tension->demand, stress * area, 1e-6 * stress * area);
 }
 
-// The largest of the run is not known: neither passed nor failed.
+// Results of a run without moments: neither passed nor failed.
 TEST(lines_analysis, does_not_judge_pipe_of_a_line_over_time_by_its_state_at_rest) {
   Model model = build_model(*read_model_text(kUprightPipe, "riser.yaml").description);
   const StaticResults rest = run_statics(model, nullptr).results.value();

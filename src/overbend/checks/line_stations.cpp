@@ -113,6 +113,8 @@ CheckStations stations_of(const Model& model, const LiftResults& lift, const Lif
   CheckStations out;
   out.line = line.name;
   out.sections = sections.checks;
+  const bool moments = moved != nullptr && !moved->moment_at_nodes.empty();
+  if (run.lines != nullptr && !moments) return out;
   for (const LiftedNode& node : line.nodes) {
     const int index = sections.of_segment.at(static_cast<std::size_t>(node.segment));
     if (index < 0) continue;
@@ -126,7 +128,7 @@ CheckStations stations_of(const Model& model, const LiftResults& lift, const Lif
       station.share = point_load_factor(check.wall, check.fy, station.roller_force);
     }
     factor_static(station, check, combinations);
-    if (moved != nullptr && !moved->moment_at_nodes.empty()) {
+    if (moments) {
       const std::size_t k = run.node_at(line.name, station.s);
       for (const double tension : {moved->least_at_nodes[k], moved->largest_at_nodes[k]}) {
         add_run(moved->moment_at_nodes[k], tension, pipe, station);

@@ -15,6 +15,7 @@ std::vector<CheckStations> line_stations(const Model& model, const LiftResults& 
 
 /// The same over a run from that state, with the largest moment and the tension that is worse of each node, which need
 /// not be of one instant: on the safe side. What is more than in the static state is an environmental load effect.
+/// Without stations where the run did not keep moments.
 std::vector<CheckStations> line_stations_in_time(const Model& model, const StaticResults& statics,
                                                  const std::vector<LineDynamics>& run);
 

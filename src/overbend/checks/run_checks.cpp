@@ -7,6 +7,7 @@
 #include "base/constants.h"
 #include "checks/calculation_sheet.h"
 #include "checks/check_assumptions.h"
+#include "checks/check_row.h"
 #include "checks/check_rows.h"
 #include "checks/line_stations.h"
 #include "checks/mooring_rows.h"
@@ -88,12 +89,16 @@ std::vector<CheckRow> rows_of_pipe(const CheckStations& all, const CheckSettings
 /// Of a line by itself, each row with its name.
 std::vector<CheckRow> rows_of_line(const CheckStations& line, const Model& model, bool in_time) {
   std::vector<CheckRow> rows = rows_of_pipe(line, model.description.checks);
+  if (in_time && line.stations.empty() && !line.sections.empty()) {
+    static constexpr CheckTitle kPipe = {"line_pipe", "Pipe of a line", "DNV-ST-F101, API RP 1111", "", "", ""};
+    outside(rows.emplace_back(row_of(kPipe, CheckRegion::line)), "the run did not keep bending moments of lines");
+  }
   const auto remark = [](CheckRow& row, const char* text) {
     row.remark += (row.remark.empty() ? "" : "; ") + std::string(text);
   };
   for (CheckRow& row : rows) {
     row.line = line.line;
-    if (in_time) remark(row, "of the run, moment and tension of each place not of one instant");
+    if (in_time && row.judged()) remark(row, "of the run, moment and tension of each place not of one instant");
     if (row.id != "dnv_load_controlled" || !raises_factors_for_current(model.description)) continue;
     remark(row, "in a current: all load effects have the factor of environmental ones");
   }
