@@ -59,7 +59,7 @@ double attached_force(const LiftResults& lift, const LineRun& run, const std::st
   return largest;
 }
 
-CheckStation station_of(const LiftedNode& node, const Section& pipe, double water_weight_density) {
+CheckStation make_station(const LiftedNode& node, const Section& pipe, double water_weight_density) {
   CheckStation station;
   station.region = CheckRegion::line;
   station.s = node.at.arc_length;
@@ -104,7 +104,7 @@ void add_run(double moment, double tension, const Section& pipe, CheckStation& s
   station.largest_tension.value = std::max(station.largest_tension.value, tension);
 }
 
-CheckStations stations_of(const Model& model, const LiftResults& lift, const LiftedLine& line, const LineRun& run) {
+CheckStations make_stations(const Model& model, const LiftResults& lift, const LiftedLine& line, const LineRun& run) {
   const Description& description = model.description;
   const LineDynamics* const moved = run.find(line.name);
   const auto described = std::ranges::find(description.lines, line.name, &FreeLineDescription::name);
@@ -121,7 +121,7 @@ CheckStations stations_of(const Model& model, const LiftResults& lift, const Lif
     const auto section = static_cast<std::size_t>(index);
     const CheckSection& check = sections.checks[section];
     const Section& pipe = sections.pipe[section];
-    CheckStation station = station_of(node, pipe, description.environment.water_weight_density);
+    CheckStation station = make_station(node, pipe, description.environment.water_weight_density);
     station.section = section;
     if (description.checks.point_load) {
       station.roller_force = attached_force(lift, run, line.name, station.s);
@@ -148,7 +148,7 @@ bool raises_factors_for_current(const Description& description) {
 
 std::vector<CheckStations> line_stations(const Model& model, const LiftResults& lift) {
   std::vector<CheckStations> all;
-  for (const LiftedLine& line : lift.lines) all.push_back(stations_of(model, lift, line, {}));
+  for (const LiftedLine& line : lift.lines) all.push_back(make_stations(model, lift, line, {}));
   return all;
 }
 
@@ -157,7 +157,7 @@ std::vector<CheckStations> line_stations_in_time(const Model& model, const Stati
   std::vector<CheckStations> all;
   const LineRun of_lines{&statics.lines, &run};
   for (const LiftedLine& line : statics.lift->lines) {
-    all.push_back(stations_of(model, *statics.lift, line, of_lines));
+    all.push_back(make_stations(model, *statics.lift, line, of_lines));
   }
   return all;
 }

@@ -460,7 +460,7 @@ TEST(lift, hangs_a_pipe_written_as_a_line_as_the_lay_does) {
 }
 
 /// The table as scripts read it.
-std::string text_of(const CheckTable& table) {
+std::string whole_text(const CheckTable& table) {
   return checks_table(table) + calculation_sheet_table(table);
 }
 
@@ -481,7 +481,7 @@ TEST(lift, writes_its_checks_and_lines_and_checks_what_is_stored_alike) {
   EXPECT_EQ(lines.back().nodes.back().place, results.stages[1].lay->lines.back().nodes.back().place);
   const RecheckedOperation again = recheck_operation(folder.path() / "out/results.h5", {});
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
-    EXPECT_EQ(text_of(again.results.stages[i].lay->checks), text_of(results.stages[i].lay->checks));
+    EXPECT_EQ(whole_text(again.results.stages[i].lay->checks), whole_text(results.stages[i].lay->checks));
   }
 }
 

@@ -19,7 +19,7 @@ struct Course {
   double at(const Vec3& place) const { return way.dot(place - origin); }
 };
 
-Course course_of(const LiftedLine& line) {
+Course find_course(const LiftedLine& line) {
   const bool first_held = line.second.free && !line.first.free;
   const Vec3 &held = first_held ? line.first.at.place : line.second.at.place,
              &free = first_held ? line.second.at.place : line.first.at.place;
@@ -109,7 +109,7 @@ std::string lift_side_view(const OperationResults& results, const std::optional<
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
     const std::optional<StaticResults>& lay = results.stages[i].lay;
     if (!lay || !lay->lift || lay->lift->lines.empty()) continue;
-    if (!view) view.emplace(course_of(lay->lift->lines.front()));
+    if (!view) view.emplace(find_course(lay->lift->lines.front()));
     view->add(stage_title(results, i), *lay, i);
   }
   if (!view) return "";

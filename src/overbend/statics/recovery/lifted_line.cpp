@@ -20,7 +20,7 @@ std::size_t to_size(int i) {
   return static_cast<std::size_t>(i);
 }
 
-double inclination_of(const Vec3& tangent) {
+double inclination(const Vec3& tangent) {
   return std::asin(std::clamp(-tangent.z(), -1.0, 1.0));
 }
 
@@ -122,14 +122,14 @@ MomentPlace largest(const SolvedLine& line, const NodeList& list,
   return out;
 }
 
-double bending_of(const LiftedNode& node) {
+double bending_moment(const LiftedNode& node) {
   return std::hypot(node.sagging, node.sideways);
 }
 
 void set_stress(const Section& pipe, double water_weight_density, LiftedNode& node) {
   SectionLoads loads;
   loads.effective_tension = node.tension;
-  loads.bending_moment = bending_of(node);
+  loads.bending_moment = bending_moment(node);
   loads.curvature = loads.bending_moment / pipe.EI;
   loads.z = node.at.place.z();
   loads.external_pressure = water_weight_density * std::max(-loads.z, 0.0);
@@ -156,7 +156,7 @@ void find_stresses(const Model& model, const FreeLineDescription& description, s
   }
 }
 
-LiftedEnd end_of(const SolvedLine& line, bool held, LineEnd which) {
+LiftedEnd recover_end(const SolvedLine& line, bool held, LineEnd which) {
   const std::size_t node = to_size(line.assembly.end_node(which));
   const Vec3 force = Vec3Map(line.assembly.end_force(which).data());
   const double outwards = which == LineEnd::last ? 1.0 : -1.0;
@@ -194,7 +194,7 @@ void find_bed(const SolvedLine& line, LiftedLine& out) {
 void find_extremes(const SolvedLine& line, NodeList& list, LiftedLine& out) {
   out.sagging = largest(line, list, [](const LiftedNode& node) { return node.sagging; });
   out.hogging = largest(line, list, [](const LiftedNode& node) { return -node.sagging; });
-  out.bending = largest(line, list, bending_of);
+  out.bending = largest(line, list, bending_moment);
   out.bending_stress = largest(line, list, [](const LiftedNode& node) { return node.stress; }).value;
   out.von_mises = largest(line, list, [](const LiftedNode& node) { return node.von_mises; }).value;
   const auto [least, most] = std::ranges::minmax_element(list.nodes, {}, &LiftedNode::tension);
@@ -208,8 +208,8 @@ LiftedLine recover_line(const SolvedLines& lines, std::size_t number) {
   LiftedLine out;
   out.name = description.name;
   const int index = lines.setup.lines[number];
-  out.first = end_of(line, is_held(lines.setup.system, index, LineEnd::first), LineEnd::first);
-  out.second = end_of(line, is_held(lines.setup.system, index, LineEnd::last), LineEnd::last);
+  out.first = recover_end(line, is_held(lines.setup.system, index, LineEnd::first), LineEnd::first);
+  out.second = recover_end(line, is_held(lines.setup.system, index, LineEnd::last), LineEnd::last);
   NodeList list = list_nodes(line, outer_forces(line, lines.setup.system, lines.setup.lines[number]));
   find_stresses(lines.model, description, list.nodes);
   find_extremes(line, list, out);
@@ -230,7 +230,7 @@ Vec3 SolvedLine::tangent(std::size_t node) const {
 }
 
 LinePlace SolvedLine::at_node(std::size_t node) const {
-  return {line().mesh.s[node], place(node), inclination_of(tangent(node))};
+  return {line().mesh.s[node], place(node), inclination(tangent(node))};
 }
 
 LinePlace SolvedLine::at_arc(double s) const {
@@ -239,7 +239,7 @@ LinePlace SolvedLine::at_arc(double s) const {
   const auto e = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - nodes.begin() - 1, 0));
   const double share = (s - nodes[e]) / line().mesh.length[e];
   const CentrelinePoint point = point_on(*this, e, share);
-  return {nodes[e] + share * line().mesh.length[e], point.r, inclination_of(point.a.normalized())};
+  return {nodes[e] + share * line().mesh.length[e], point.r, inclination(point.a.normalized())};
 }
 
 SolvedLine SolvedLines::line(std::size_t number) const {

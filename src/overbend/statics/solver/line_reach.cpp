@@ -39,8 +39,8 @@ class Reach {
   std::optional<StaticFailure> check(std::size_t i) const {
     const FreeLineDescription& line = lines_[i];
     const double length = position_.lengths[i];
-    for (const HeldPlace& first : places_of(line.first)) {
-      for (const HeldPlace& second : places_of(line.second)) {
+    for (const HeldPlace& first : held_places(line.first)) {
+      for (const HeldPlace& second : held_places(line.second)) {
         const double apart = (second.place - first.place).norm(), others = first.way + second.way;
         if (position_.tensions[i] || apart <= longest_stretch(line) * length + others) continue;
         const std::string along =
@@ -56,7 +56,7 @@ class Reach {
 
  private:
   /// Of an end on another line: by way of it the ends of that one which are held.
-  std::vector<HeldPlace> places_of(const LineEndDescription& end) const {
+  std::vector<HeldPlace> held_places(const LineEndDescription& end) const {
     if (end.kind == LineEndKind::free) return {};
     if (end.kind != LineEndKind::line) return {{held_place(end), 0.0}};
     const auto other = std::ranges::find(lines_, end.line, &FreeLineDescription::name);

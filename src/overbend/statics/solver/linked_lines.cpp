@@ -67,34 +67,34 @@ struct WayThere {
   }
 };
 
-WayThere way_there(const std::vector<FreeLineDescription>& lines, const LiftPosition& here,
+WayThere way_there(const std::vector<FreeLineDescription>& lines, const LiftPosition& reached,
                    const LiftPosition& target) {
   WayThere way;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (target.tensions[i]) {
       way.add(lines[i].name, fmt::format("{} is {} long on its way to {}", lines[i].name,
-                                         shown(here.lengths[i], "m", 2), shown(*target.tensions[i], "N", 1)));
-    } else if (std::abs(target.lengths[i] - here.lengths[i]) > 1e-9) {
+                                         shown(reached.lengths[i], "m", 2), shown(*target.tensions[i], "N", 1)));
+    } else if (std::abs(target.lengths[i] - reached.lengths[i]) > 1e-9) {
       way.add(lines[i].name, fmt::format("{} came to a length of {} on its way to {}", lines[i].name,
-                                         shown(here.lengths[i], "m", 2), shown(target.lengths[i], "m", 3)));
+                                         shown(reached.lengths[i], "m", 2), shown(target.lengths[i], "m", 3)));
     }
   }
-  const VesselOffset &at = here.vessel, &to = target.vessel;
-  if (at.x != to.x || at.y != to.y || at.heading != to.heading) {
-    way.add("", fmt::format("the vessel came {} ahead and {} to port on its way to {} and {}", shown(at.x, "m", 2),
-                            shown(at.y, "m", 2), shown(to.x, "m", 2), shown(to.y, "m", 2)));
+  const VesselOffset &from = reached.vessel, &to = target.vessel;
+  if (from.x != to.x || from.y != to.y || from.heading != to.heading) {
+    way.add("", fmt::format("the vessel came {} ahead and {} to port on its way to {} and {}", shown(from.x, "m", 2),
+                            shown(from.y, "m", 2), shown(to.x, "m", 2), shown(to.y, "m", 2)));
   }
-  if (here.closed < 1.0 && !target.joins.empty()) {
+  if (reached.closed < 1.0 && !target.joins.empty()) {
     const JoinDescription& join = target.joins.back();
-    way.add(join.first, fmt::format("{:.0f} % of the gap to be welded was closed", 100.0 * here.closed));
+    way.add(join.first, fmt::format("{:.0f} % of the gap to be welded was closed", 100.0 * reached.closed));
     way.add(join.second, "");
   }
   return way;
 }
 
-StaticFailure unreachable(const std::vector<FreeLineDescription>& lines, const LiftPosition& here,
+StaticFailure unreachable(const std::vector<FreeLineDescription>& lines, const LiftPosition& reached,
                           const LiftPosition& target) {
-  const WayThere way = way_there(lines, here, target);
+  const WayThere way = way_there(lines, reached, target);
   return {"no equilibrium was found", way.lines,
           "the lines do not come to rest on the way there" + (way.reached.empty() ? "" : ": " + way.reached) +
               "; give lengths, tensions or places that they can reach"};
