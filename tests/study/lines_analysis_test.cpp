@@ -241,10 +241,12 @@ TEST(lines_analysis, refuses_a_vessel_that_leaps_or_whose_record_ends_before_the
   EXPECT_NE(refusal(d).find("does not cover the run"), std::string::npos) << refusal(d);
 }
 
-TEST(lines_analysis, refuses_a_vessel_that_floats_free_or_lies_on_mooring_lines) {
+TEST(lines_analysis, refuses_a_vessel_that_no_line_holds_or_that_lies_on_mooring_lines) {
   Description d = two_chains();
-  d.vessel.hydrostatics.emplace();
-  EXPECT_NE(refusal(d).find("lines on a hull that floats free"), std::string::npos) << refusal(d);
+  d.vessel.hydrostatics = HydrostaticsDescription{1e7, 1e9, 1e10};
+  EXPECT_NE(refusal(d).find("nothing holds the vessel"), std::string::npos) << refusal(d);
+  d.moorings.emplace().lines.emplace_back();
+  EXPECT_NE(refusal(d).find("lines on a vessel on mooring lines"), std::string::npos) << refusal(d);
 }
 
 TEST(lines_analysis, warns_of_a_breaking_load_that_is_exceeded_in_time_alone) {

@@ -58,7 +58,7 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
   std::cout << statics.title << "\n";
   if (statics.has_pipe()) print_pipe(statics, r);
   std::cout << moored_dynamics_lines(r);
-  std::cout << lines_in_time(statics.lines, r.lines);
+  std::cout << lines_in_time(statics.lines, r.lines) << bodies_in_time(r.bodies);
   if (statics.hull) std::cout << hull_lines(*statics.hull);
   std::cout << fatigue_lines(r) << check_lines(r.checks);
   std::cout << fmt::format("  {:<28}{:>12.1e} of the energy exchanged\n", "energy drift", r.energy.drift());

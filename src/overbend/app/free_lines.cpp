@@ -35,6 +35,19 @@ std::string place_text(const AttachedPlace& at) {
                      shown(at.p_W.z(), "m", 1), shown(at.moment, "N m", 1));
 }
 
+std::string body_text(const BodyResult& body) {
+  std::string text = fmt::format("  {}: at {} east, {} north, heading {}\n", body.name, shown(body.place.x(), "m", 2),
+                                 shown(body.place.y(), "m", 2), shown(body.heading, "rad", 2));
+  if (body.floats) {
+    text += fmt::format("    {:<26}{} ahead, {} to port, {} up; roll {}, pitch {}, yaw {}\n", "from as drawn",
+                        shown(body.surge, "m", 3), shown(body.sway, "m", 3), shown(body.heave, "m", 3),
+                        shown(body.roll, "rad", 3), shown(body.pitch, "rad", 3), shown(body.yaw, "rad", 3));
+  }
+  return text + fmt::format("    {:<26}{:>12} {} horizontally, {} upwards\n", "pulled by lines",
+                            shown_number(body.force.head<2>().norm(), "N", 2), shown_name("N"),
+                            shown(body.force.z(), "N", 2));
+}
+
 }  // namespace
 
 std::string attachment_lines(const StaticResults& results) {
@@ -48,6 +61,22 @@ std::string attachment_lines(const StaticResults& results) {
         wire.utilisation ? fmt::format(", {:.3f} of the breaking load", *wire.utilisation) : std::string();
     text += fmt::format("  {:<28}{:>12} {}{}, {}\n", wire.name, shown_number(wire.tension_upper, "N", 2),
                         shown_name("N"), used, place_text(wire.at));
+  }
+  return text;
+}
+
+std::string bodies_at_rest(const std::vector<BodyResult>& bodies) {
+  std::string text;
+  for (const BodyResult& body : bodies) text += body_text(body);
+  return text;
+}
+
+std::string bodies_in_time(const std::vector<BodyDynamics>& bodies) {
+  std::string text;
+  for (const BodyDynamics& body : bodies) {
+    text +=
+        fmt::format("  {}: pulled horizontally by lines with {} to {}, {} on average\n", body.name,
+                    shown_number(body.pull.min, "N", 2), shown(body.pull.max, "N", 2), shown(body.pull.mean, "N", 2));
   }
   return text;
 }

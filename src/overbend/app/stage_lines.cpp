@@ -81,6 +81,11 @@ std::string planned_values(const std::vector<LineValue>& values, const char* uni
   return words;
 }
 
+std::string offset_words(const std::string& body, const VesselOffset& offset) {
+  return fmt::format("{} {} ahead, {} to port, {} clockwise", body, shown(offset.x, "m", 2), shown(offset.y, "m", 2),
+                     shown(offset.heading, "rad", 2));
+}
+
 /// What is asked of the lines at every stage of a lift.
 std::string planned_lift(const Description& description) {
   std::string lines = "\nStages of the operation lift\n";
@@ -90,10 +95,8 @@ std::string planned_lift(const Description& description) {
     std::vector<std::string> parts;
     if (!stage.lengths.empty()) parts.push_back(planned_values(stage.lengths, "m"));
     if (!stage.tensions.empty()) parts.push_back(planned_values(stage.tensions, "N"));
-    if (stage.vessel) {
-      parts.push_back(fmt::format("vessel {} ahead, {} to port, {} clockwise", shown(stage.vessel->x, "m", 2),
-                                  shown(stage.vessel->y, "m", 2), shown(stage.vessel->heading, "rad", 2)));
-    }
+    if (stage.vessel) parts.push_back(offset_words("vessel", *stage.vessel));
+    for (const BodyOffset& body : stage.bodies) parts.push_back(offset_words(for_display(body.body), body.offset));
     if (stage.join) parts.push_back("weld " + stage.join->first + " to " + stage.join->second);
     const std::string name = stage.name.empty() ? "stage " + std::to_string(number) : stage.name;
     lines += fmt::format("  {:<26}{}\n", for_display(name, 25), fmt::join(parts, "; "));

@@ -151,13 +151,24 @@ void check(const CoupledHullDescription& given) {
   }
 }
 
-void floats_in_waves(MadeHull& made, const Model& model, const Sea& sea, const CoupledHullDescription& given,
-                     const Mat6& station_stiffness) {
+Hull afloat(const Model& model, const Sea& sea, const CoupledHullDescription& given) {
   check(given);
-  Hull& hull = made.hull = hull_in_surroundings(model, given, sea);
+  Hull hull = hull_in_surroundings(model, given, sea);
   hull.body.mass = given.mass;
   hull.body.inertia = (given.mass * given.gyration.cwiseAbs2()).asDiagonal();
   hull.hydrostatics.block<3, 3>(2, 2) = given.data->hydrostatic_stiffness.block<3, 3>(2, 2);
+  return hull;
+}
+
+Hull afloat(const Model& model, const HydrostaticsDescription& given) {
+  Hull hull;
+  place(hull, model, Vec3::Zero());
+  hull.hydrostatics.diagonal().segment<3>(2) = Vec3(given.heave, given.roll, given.pitch);
+  return hull;
+}
+
+void remember_waves(MadeHull& made, const CoupledHullDescription& given, const Mat6& station_stiffness) {
+  Hull& hull = made.hull;
   Radiated radiated = make_radiation(*given.data, given.radiation);
   hull.radiation = std::move(radiated.model);
   made.radiation = std::move(radiated.report);
@@ -182,20 +193,21 @@ Hull hull_in_surroundings(const Model& model, const CoupledHullDescription& give
   return hull;
 }
 
-MadeHull make_hull(const Model& model, const Sea& sea, double build_up, const Mat6& station_stiffness) {
+Hull make_hull_at_rest(const Model& model, const Sea& sea) {
   const VesselDescription& vessel = model.description.vessel;
-  MadeHull made;
-  if (vessel.coupled) {
-    floats_in_waves(made, model, sea, *vessel.coupled, station_stiffness);
-  } else if (vessel.hydrostatics) {
-    place(made.hull, model, Vec3::Zero());
-    made.hull.hydrostatics.diagonal().segment<3>(2) =
-        Vec3(vessel.hydrostatics->heave, vessel.hydrostatics->roll, vessel.hydrostatics->pitch);
-  } else {
+  if (!vessel.coupled && !vessel.hydrostatics) {
     throw std::invalid_argument("a hull that floats free needs vessel.motion.coupled or vessel.hydrostatics");
   }
+  Hull hull = vessel.coupled ? afloat(model, sea, *vessel.coupled) : afloat(model, *vessel.hydrostatics);
+  put_loads(hull, model);
+  return hull;
+}
+
+MadeHull make_hull(const Model& model, const Sea& sea, double build_up, const Mat6& station_stiffness) {
+  MadeHull made;
+  made.hull = make_hull_at_rest(model, sea);
+  if (const auto& coupled = model.description.vessel.coupled) remember_waves(made, *coupled, station_stiffness);
   made.hull.build_up = build_up;
-  put_loads(made.hull, model);
   return made;
 }
 

@@ -25,6 +25,10 @@ UfcHull ufc_hull(const Model& model, const CoupledHullDescription& given);
 /// without rows or axes, and for waves from where the data have no forces.
 Hull hull_in_surroundings(const Model& model, const CoupledHullDescription& given, const Sea& sea);
 
+/// The hull of a model at rest, without the memory of radiated waves and without damping: of `vessel.motion.coupled` or
+/// of `vessel.hydrostatics`. Of the sea its mean drift acts. Throws as make_hull().
+Hull make_hull_at_rest(const Model& model, const Sea& sea);
+
 /// The hull of `vessel.motion.coupled`, or of `vessel.hydrostatics` (statics alone), as drawn by the model, in a sea.
 /// `station_stiffness`: of what keeps the hull's place, for damping given as a ratio of critical in surge, sway or yaw.
 /// The build-up [s] brings in waves and drift. Ballast is left zero. Throws std::invalid_argument for a description

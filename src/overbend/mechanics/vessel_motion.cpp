@@ -189,10 +189,15 @@ ResponseView MotionTerms::view() const {
 }
 
 VesselMotionModel make_vessel_motion(const Model& model, const Sea& sea) {
-  const VesselDescription& vessel = model.description.vessel;
-  VesselMotionModel motion;
-  motion.mean = model.mean_pose;
+  VesselMotionModel motion = make_body_motion(model.description.vessel, model.mean_pose, sea);
   motion.ahead_W = level_ahead(model.drawn_pose);
+  return motion;
+}
+
+VesselMotionModel make_body_motion(const VesselDescription& vessel, const VesselPose& mean, const Sea& sea) {
+  VesselMotionModel motion;
+  motion.mean = mean;
+  motion.ahead_W = level_ahead(mean);
   switch (vessel.motion) {
     case VesselMotion::fixed:
       return motion;

@@ -73,6 +73,8 @@ struct VesselMotionModel {
 /// travel; in a calm sea they leave the vessel at rest. Throws std::invalid_argument when the description cannot be
 /// followed: the motion's file was not there, or the motion is coupled.
 VesselMotionModel make_vessel_motion(const Model& model, const Sea& sea);
+/// The same of any body about its mean pose, which is where it meets the sea; a move ahead is towards its bow.
+VesselMotionModel make_body_motion(const VesselDescription& body, const VesselPose& mean, const Sea& sea);
 
 /// Motion at time t [s], every freedom times the build-up's factor; the derivatives carry those of the factor.
 ///

@@ -18,8 +18,9 @@ bool afloat(const Simulation& simulation, const StaticResults& statics) {
 
 RecordedObjects objects_of(const Model& model, const Simulation& simulation, bool floating) {
   const bool pipe = find_laid_pipe(simulation.system()).has_value();
-  const bool held = std::ranges::any_of(simulation.system().attachments,
-                                        [](const Attachment& attachment) { return attachment.body != kGround; });
+  const bool held = std::ranges::any_of(simulation.system().attachments, [&](const Attachment& attachment) {
+    return attachment.body != kGround && attachment.body < static_cast<int>(simulation.first_body());
+  });
   return {pipe ? &model.supports : nullptr,
           held || floating,
           floating,
@@ -39,6 +40,7 @@ Recorder::Recorder(const Model& model, const StaticResults& statics, const Simul
       moorings_(model.description.moorings, simulation.moorings()),
       thrust_(simulation.hull()),
       lines_(model, simulation.system(), simulation.lines()),
+      bodies_(model, simulation.first_body()),
       snapshot_stride_(snapshot_stride(simulation.options())) {
   const bool has_pipe = find_laid_pipe(simulation.system()).has_value();
   if (has_pipe) pipe_.emplace(model, statics, simulation);
@@ -46,6 +48,7 @@ Recorder::Recorder(const Model& model, const StaticResults& statics, const Simul
   columns_ = recorded_columns(objects_of(model, simulation, floating_.has_value()));
   if (simulation.move() != nullptr) add_move_columns(columns_, has_pipe);
   if (thrust_.positioned()) add_thrust_columns(columns_);
+  add_body_columns(model, simulation.first_body(), columns_);
   add_control_columns(simulation.controllers(), columns_);
   row_.resize(columns_.size());
 }
@@ -69,6 +72,7 @@ void Recorder::stepped(const Instant& at) {
   thrust_.add(*at.state, at.step);
   if (floating_) floating_->add(at.vessel().pose, at.state->time, at.step);
   lines_.add(*at.state, *at.assembly);
+  bodies_.add(*at.state, *at.assembly);
 }
 
 void Recorder::impact(const EndedImpact& ended) {
@@ -115,6 +119,7 @@ void Recorder::save(DynamicCheckpoint& checkpoint) const {
   checkpoint.arrays.push_back({"record/thrust", thrust_.save()});
   if (floating_) checkpoint.arrays.push_back({"record/vessel", floating_->save()});
   checkpoint.arrays.push_back({"record/lines", lines_.save()});
+  if (!model_->description.bodies.empty()) checkpoint.arrays.push_back({"record/bodies", bodies_.save()});
 }
 
 void Recorder::restore(const DynamicCheckpoint& checkpoint) {
@@ -123,6 +128,7 @@ void Recorder::restore(const DynamicCheckpoint& checkpoint) {
   thrust_.restore(checkpoint_array(checkpoint, "record/thrust"));
   if (floating_) floating_->restore(checkpoint_array(checkpoint, "record/vessel"));
   lines_.restore(checkpoint_array(checkpoint, "record/lines"));
+  if (!model_->description.bodies.empty()) bodies_.restore(checkpoint_array(checkpoint, "record/bodies"));
 }
 
 void Recorder::fill(DynamicResults& results) const {
@@ -131,6 +137,7 @@ void Recorder::fill(DynamicResults& results) const {
   results.thrust = thrust_.results();
   if (floating_) results.vessel = floating_->results();
   results.lines = lines_.results();
+  results.bodies = bodies_.results();
   append(results.findings, moorings_.findings());
   append(results.findings, thrust_.findings());
   append(results.findings, line_findings(*model_, statics_->lines, results.lines));

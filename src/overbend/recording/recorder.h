@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "recording/body_watch.h"
 #include "recording/history_columns.h"
 #include "recording/line_recorder.h"
 #include "recording/mooring_watch.h"
@@ -48,6 +49,7 @@ class Recorder : public SimulationObserver {
   ThrustWatch thrust_;
   std::optional<VesselWatch> floating_;  ///< Of a vessel that floats free or lies on lines.
   LineRecorder lines_;
+  BodyWatch bodies_;
   std::vector<RecordedColumn> columns_;
   std::int64_t snapshot_stride_;  ///< Rows from one to the next.
   std::vector<double> row_, snapshot_;

@@ -4,16 +4,12 @@
 #include <array>
 #include <vector>
 
+#include "hull/pose_shift.h"
 #include "model/model.h"
 #include "numerics/running_statistics.h"
 #include "results/moored_dynamics.h"
 
 namespace overbend {
-
-inline constexpr std::size_t kVesselFreedoms = 6;
-
-/// Surge, sway, heave [m], roll, pitch, yaw [rad] of a pose from another, along the axes of that; see VesselResult.
-std::array<double, kVesselFreedoms> shift_between(const VesselPose& from, const VesselPose& to);
 
 /// Counts from t > 0.
 class VesselWatch {

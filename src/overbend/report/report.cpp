@@ -7,6 +7,7 @@
 
 #include "report/dynamic/dynamic_sections.h"
 #include "report/dynamic/fatigue_section.h"
+#include "report/moored/bodies_section.h"
 #include "report/moored/hull_section.h"
 #include "report/moored/lines_section.h"
 #include "report/moored/moored_dynamics_section.h"
@@ -70,7 +71,7 @@ std::string report_html(const StaticResults& results, const std::string& model_t
       {extras.seek != nullptr ? seek_section(*extras.seek, figure) : "", key_results(results, "results", "Key results"),
        lay_setting_section(results, description, nullptr), criteria_section(results.checks, description),
        checks_section(results, results.checks, figure), lines_section(results, nullptr, figure),
-       figures_section(results, "figures", "Figures", figure),
+       bodies_section(results, nullptr), figures_section(results, "figures", "Figures", figure),
        extras.sensitivities != nullptr ? sensitivity_section(*extras.sensitivities, figure) : "",
        static_tables(results), moored_part(results, figure), inputs_section(results, description, nullptr),
        assumptions_section(results.assumptions), rollers_section(results), calculation_sheet_section(results.checks),
@@ -93,6 +94,7 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
                                        criteria_section(results.checks, description),
                                        checks_section(statics, results.checks, figure),
                                        lines_section(statics, &results, figure),
+                                       bodies_section(statics, &results),
                                        dynamic_figures_section(statics, results, figure),
                                        fatigue_section(statics, results, figure),
                                        dynamic_statistics_section(statics, results),

@@ -210,6 +210,7 @@ struct DynamicResults {
   std::vector<ThrustDynamics> thrust;           ///< Surge, sway and yaw; empty without dynamic positioning.
   std::vector<MooringLineDynamics> moorings;    ///< In the order of the model; empty without lines in time.
   std::vector<LineDynamics> lines;              ///< That stand by themselves.
+  std::vector<BodyDynamics> bodies;             ///< Besides the vessel.
   std::vector<StingerSectionDynamics> stinger;  ///< Sections on hinges, from the barge astern; empty: it stands still.
   EnergyBalance energy;
   DynamicRunReport run;

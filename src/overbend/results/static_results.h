@@ -13,6 +13,7 @@
 #include "model/pipe/section.h"
 #include "model/vessel/supports.h"
 #include "results/attachment_results.h"
+#include "results/body_results.h"
 #include "results/check_results.h"
 #include "results/dragging_results.h"
 #include "results/ground_results.h"
@@ -279,6 +280,7 @@ struct StaticResults {
   std::optional<HullResults> hull;         ///< Of a hull with hydrodynamic coefficients.
   std::optional<LiftResults> lift;         ///< Of lines that are pipe, and of lines that hold each other.
   std::vector<LineResult> lines;           ///< That stand by themselves.
+  std::vector<BodyResult> bodies;          ///< Besides the vessel; and the vessel, where lines hold it afloat.
   std::optional<MooringResults> moorings;  ///< Of a vessel on mooring lines: where it lies, and the lines.
 
   bool has_pipe() const { return !stations.empty(); }  ///< Whether a laid pipe is among the objects.

@@ -145,7 +145,7 @@ void Assembly::set_surroundings(double time) {
 void Assembly::set_time(double time, const SystemState& near) {
   constexpr double kReach = 0.5;  // further than any node moves in a step [m]
   system_->surroundings(time, surroundings_);
-  if (!border_.empty()) {
+  if (!border_.idle()) {
     border_.lead(near.bodies, surroundings_);
     border_.meet_water(time);
     border_.begin_step();
@@ -198,7 +198,7 @@ void Assembly::lead_bodies(const SystemState& state) {
 }
 
 void Assembly::impose_ends(SystemState& state) {
-  if (!border_.empty()) {
+  if (!border_.idle()) {
     lead_bodies(state);
   }
   for (std::size_t i = 0; i < held_.size(); ++i) {
@@ -254,9 +254,9 @@ void Assembly::evaluate_at_rest(SystemState& state, LayHistory history, bool wit
 
 void Assembly::evaluate_bodies(SystemState& state, const SystemState& before, const Weights& weights,
                                bool with_tangent) {
-  if (border_.empty()) return;
+  if (border_.idle()) return;
   border_.evaluate(state, before, weights, lines_, with_tangent);
-  if (!with_tangent) return;
+  if (!with_tangent || border_.empty()) return;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     border_.put_line(static_cast<int>(i), lines_[i], state, weights, held_, solver_);
   }

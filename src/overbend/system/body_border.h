@@ -26,6 +26,8 @@ class BodyBorder {
   explicit BodyBorder(const System& system);
 
   bool empty() const { return bodies_.empty(); }
+  /// Whether there is nothing that it has to look at: neither free bodies nor wires.
+  bool idle() const { return bodies_.empty() && wires_.empty(); }
   std::size_t count() const { return bodies_.size(); }
   int unknowns() const { return 6 * static_cast<int>(bodies_.size()); }
   /// Which shared unknowns each line touches.

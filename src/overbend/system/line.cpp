@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/constants.h"
+#include "model/bodies.h"
 #include "model/pipe_attachments.h"
 #include "moorings/catenary_line.h"
 #include "system/cable_line.h"
@@ -16,8 +17,8 @@ LineWire line_wire(const Model& model, const FreeLineDescription& line, int node
   wire.node = node;
   wire.reversed = is_on_pipe(model.description, line.first);
   wire.wire.name = line.name;
-  wire.wire.first_body = far.kind == LineEndKind::body ? 0 : kGround;
-  wire.wire.first = far.kind == LineEndKind::body ? far.at : end_place(model, far);
+  wire.wire.first_body = is_on_vessel(far) ? 0 : kGround;
+  wire.wire.first = is_on_vessel(far) ? far.at : end_place(model, far);
   wire.wire.length = unstressed_length(line);
   wire.wire.axial_stiffness = axial_stiffness(line);
   if (is_weightless(line)) return wire;
@@ -43,8 +44,10 @@ void attach(const Model& model, Line& line) {
 
 Vec3 end_place(const Model& model, const LineEndDescription& end) {
   switch (end.kind) {
-    case LineEndKind::body:
-      return model.mean_pose.p_WV + model.mean_pose.R_WV * end.at;
+    case LineEndKind::body: {
+      const VesselPose pose = body_poses(model)[body_index(model.description, end.body)];
+      return pose.p_WV + pose.R_WV * end.at;
+    }
     case LineEndKind::bed:
       return {end.at.x(), end.at.y(), model.seabed.surface.height(end.at.x(), end.at.y())};
     case LineEndKind::fixed:

@@ -58,7 +58,7 @@ TEST(dynamic_field_lists, hold_every_single_value) {
   EXPECT_EQ(keys.bytes + energy.bytes + tensioner.bytes + run.bytes + stations.bytes + 3 * sizeof(DynamicRegion) +
                 sizeof(results.smallest_tension) + 5 * kListBytes + sizeof(results.design) + sizeof(results.checks) +
                 sizeof(results.vessel) + sizeof(results.thrust) + sizeof(results.moorings) + sizeof(results.lines) +
-                sizeof(results.stinger) + sizeof(results.fatigue),
+                sizeof(results.bodies) + sizeof(results.stinger) + sizeof(results.fatigue),
             sizeof(DynamicResults));
 }
 

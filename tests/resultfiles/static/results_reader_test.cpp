@@ -78,8 +78,8 @@ TEST(field_lists, hold_every_single_value) {
                 sizeof(results.sum_attached) + sizeof(results.checks) + sizeof(results.moorings) +
                 sizeof(results.hull) + sizeof(results.head) + sizeof(results.cable) + sizeof(results.far_anchor) +
                 sizeof(results.stinger) + sizeof(results.bed) + sizeof(results.route) +
-                sizeof(results.roller_friction) + sizeof(results.lines) + sizeof(results.lift) +
-                sizeof(results.dragging),
+                sizeof(results.roller_friction) + sizeof(results.lines) + sizeof(results.bodies) +
+                sizeof(results.lift) + sizeof(results.dragging),
             sizeof(StaticResults));
   EXPECT_EQ(touchdown.bytes, sizeof(Touchdown));
   EXPECT_EQ(solve.bytes, sizeof(SolveReport));
@@ -130,7 +130,8 @@ TEST(field_lists, hold_every_member_of_head_cable_anchor_and_stage) {
   EXPECT_EQ(cable.bytes, sizeof(CableResult));
   EXPECT_EQ(anchor.bytes, sizeof(StartUpAnchorResult));
   const LayStageDescription none;  // what a lift asks of its lines is in the model's text
-  EXPECT_EQ(stage.bytes + sizeof(none.lengths) + sizeof(none.tensions) + sizeof(none.vessel) + sizeof(none.join),
+  EXPECT_EQ(stage.bytes + sizeof(none.lengths) + sizeof(none.tensions) + sizeof(none.vessel) + sizeof(none.bodies) +
+                sizeof(none.join),
             sizeof(LayStageDescription));
   EXPECT_EQ(failure.bytes, sizeof(StageFailure));
 }

@@ -485,5 +485,40 @@ TEST(lift, writes_its_checks_and_lines_and_checks_what_is_stored_alike) {
   }
 }
 
+/// A barge on a wire to a tug against a steady force.
+Description barge_on_a_wire(const std::string& load, const std::string& stages) {
+  return read_model_text(
+             "overbend: 1\n"
+             "environment: {water_depth: 50 m, seabed: {stiffness: 100 kN/m^2}}\n"
+             "vessel: {heading: 90 deg, length: 100 m, draught: 4 m, loads: [{force: {x: " +
+                 load +
+                 "}}],\n"
+                 "  hydrostatics: {heave: 20 MN/m, roll: 1000 MN*m, pitch: 15000 MN*m}}\n"
+                 "bodies: [{name: tug, place: {x: 260 m, y: 0 m}, heading: 90 deg}]\n"
+                 "moorings: {types: {wire: {diameter: 80 mm, weight_in_air: 0 N/m, weight_submerged: 0 N/m, "
+                 "axial_stiffness: 20 MN}}}\n"
+                 "lines: [{name: hawser, type: wire, length: 200 m, ends: [{body: vessel, at: {x: 50 m, y: 0 m, z: 0 "
+                 "m}}, "
+                 "{body: tug, at: {x: 0 m, y: 0 m, z: 0 m}}]}]\n"
+                 "operation: {type: lift, stages: [" +
+                 stages + "]}\n",
+             "wire.yaml")
+      .description.value();
+}
+
+TEST(lift, of_a_barge_that_floats_free_hauls_it_to_its_tug_and_follows_the_tug) {
+  const OperationResults results = solve(
+      barge_on_a_wire("-300 kN", "{name: hauled, lengths: {hawser: 150 m}}, {name: ahead, bodies: {tug: {x: 40 m}}}"));
+  const double span = 150.0 * (1.0 + 300e3 / 20e6);
+  const auto bow = [&](std::size_t stage) { return results.stages.at(stage).lay->bodies.at(0).place.x() + 50.0; };
+  EXPECT_NEAR(bow(0), 260.0 - span, 1e-4);
+  EXPECT_NEAR(bow(1), 300.0 - span, 1e-4);
+  const BodyResult& tug = results.stages[1].lay->bodies.at(1);
+  EXPECT_EQ(tug.name, "tug");
+  EXPECT_NEAR(tug.place.x(), 300.0, 1e-9);
+  EXPECT_NEAR(tug.surge, 40.0, 1e-9);
+  EXPECT_NEAR(tug.force.x(), -300e3, 1e-2);
+}
+
 }  // namespace
 }  // namespace overbend

@@ -68,6 +68,8 @@ class Simulation {
   /// themselves, or on the pipe.
   const std::vector<std::string>& moorings() const { return setup_.mooring_names; }
   const std::vector<FollowedLine>& lines() const { return setup_.lines; }
+  /// Where the bodies besides the vessel begin among those of the system.
+  std::size_t first_body() const { return setup_.first_body; }
   const DynamicOptions& options() const { return options_; }
   /// The way on which the vessel is moved ahead; null where it is not.
   const MoveProfile* move() const { return setup_.move ? &*setup_.move : nullptr; }

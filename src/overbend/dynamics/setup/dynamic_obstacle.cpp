@@ -8,6 +8,7 @@
 #include "dynamics/setup/start_leap.h"
 #include "model/lay_stage.h"
 #include "model/vessel/station.h"
+#include "statics/solver/lines_setup.h"
 #include "statics/solver/static_obstacle.h"
 
 namespace overbend {
@@ -59,9 +60,9 @@ std::optional<StaticFailure> coupled_obstacle(const Description& d) {
     return refused("vessel.motion.coupled", "the hull that floats free has no hydrodynamic coefficients",
                    "name their files");
   }
-  if (!has_station(d)) {
+  if (!has_station(d) && d.lines.empty()) {
     return refused("vessel.motion.coupled", "nothing holds the hull that floats free in its place",
-                   "give moorings or station_keeping");
+                   "give moorings, lines or station_keeping");
   }
   return std::nullopt;
 }
@@ -87,7 +88,8 @@ std::optional<StaticFailure> leap_obstacle(const Model& model) {
 }
 
 /// A record that ends before the run does. The vessel would stop dead there, and strike what hangs on it.
-std::optional<StaticFailure> record_obstacle(const VesselDescription& vessel, const DynamicOptions& run) {
+std::optional<StaticFailure> record_obstacle(const std::string& key, const VesselDescription& vessel,
+                                             const DynamicOptions& run) {
   const double first = vessel.history->time.front(), last = vessel.history->time.back();
   const double end = end_of_run(run.duration, run.output_step);
   if (first <= 0.0 && last >= end * (1.0 - 1e-9)) return std::nullopt;
@@ -99,17 +101,19 @@ std::optional<StaticFailure> record_obstacle(const VesselDescription& vessel, co
         "{:g} s",
         run.output_step, run.duration);
   }
-  return refused("vessel.motion.history", "the record of the vessel's motion does not cover the run", std::move(why));
+  return refused((key + ".motion.history").c_str(), "the record of the vessel's motion does not cover the run",
+                 std::move(why));
 }
 
 /// A motion without the file that it is in, or with one that ends too early.
-std::optional<StaticFailure> file_obstacle(const VesselDescription& vessel, const DynamicOptions& run) {
+std::optional<StaticFailure> file_obstacle(const std::string& key, const VesselDescription& vessel,
+                                           const DynamicOptions& run) {
   if ((vessel.motion == VesselMotion::raos && !vessel.raos) ||
       (vessel.motion == VesselMotion::history && !vessel.history)) {
-    return refused("vessel.motion", "the vessel motion cannot be used",
+    return refused((key + ".motion").c_str(), "the " + key + " motion cannot be used",
                    "the file " + vessel.motion_file + " could not be read");
   }
-  return vessel.motion == VesselMotion::history ? record_obstacle(vessel, run) : std::nullopt;
+  return vessel.motion == VesselMotion::history ? record_obstacle(key, vessel, run) : std::nullopt;
 }
 
 /// In time the friction of the bed has no direction of its own, and the winch that pulls is no machine of the run.
@@ -133,8 +137,22 @@ std::optional<StaticFailure> wire_obstacle(const Description& d) {
     return refused("lines", "a line between the pipe and a hull that floats free cannot be run in time yet",
                    "line '" + on_hull->name + "': give another vessel.motion, or an end that is fixed");
   }
+  const auto on_other = std::ranges::find_if(d.lines, [](const FreeLineDescription& line) {
+    const auto other = [](const LineEndDescription& end) { return end.kind == LineEndKind::body && !is_on_vessel(end); };
+    return other(line.first) || other(line.second);
+  });
+  if (d.has_pipe && on_other != d.lines.end()) {
+    return refused("lines", "a line between the pipe and a body besides the vessel cannot be run in time yet",
+                   "line '" + on_other->name + "': give its other end to the vessel or a fixed place");
+  }
+  if (!d.has_pipe && d.vessel.motion == VesselMotion::coupled && has_linked_lines(d)) {
+    return refused("lines",
+                   "lines that hold each other and wires without weight on a hull that floats free cannot be run in "
+                   "time yet",
+                   "give the wires a weight, or the vessel a motion");
+  }
   for (const FreeLineDescription& line : d.lines) {
-    const bool linked = d.has_pipe || std::ranges::any_of(d.lines, is_linked);
+    const bool linked = d.has_pipe || has_linked_lines(d);
     const bool swings = line.first.period > 0.0 || line.second.period > 0.0;
     if (!linked || !swings || !is_weightless(line) || has_pipe_section(line)) continue;
     return refused("lines", "a wire without weight whose end moves by itself cannot be run in time yet",
@@ -161,7 +179,19 @@ std::optional<StaticFailure> motion_obstacle(const Model& model) {
     return refused("operation.acceleration_time", "the vessel cannot be at its speed at once",
                    "a told motion without time to reach its speed strikes the pipe; give some seconds");
   }
-  return file_obstacle(vessel, dynamic_options(model));
+  return file_obstacle("vessel", vessel, dynamic_options(model));
+}
+
+/// The same of the bodies besides the vessel.
+std::optional<StaticFailure> bodies_obstacle(const Model& model) {
+  const std::vector<BodyDescription>& bodies = model.description.bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::string key = fmt::format("bodies[{}]", i);
+    if (std::optional<StaticFailure> obstacle = file_obstacle(key, bodies[i].hull, dynamic_options(model))) {
+      return obstacle;
+    }
+  }
+  return std::nullopt;
 }
 
 /// A sea without the file that it is in.
@@ -187,6 +217,7 @@ std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
   if (std::optional<StaticFailure> obstacle = wire_obstacle(d)) return obstacle;
   if (!d.dynamics) return without_dynamics();
   if (std::optional<StaticFailure> obstacle = motion_obstacle(model)) return obstacle;
+  if (std::optional<StaticFailure> obstacle = bodies_obstacle(model)) return obstacle;
   if (std::optional<StaticFailure> obstacle = sea_obstacle(d.environment.waves)) return obstacle;
   if (std::optional<StaticFailure> obstacle = leap_obstacle(model)) return obstacle;
   if (d.tensioner.range_low && d.tensioner.tension &&

@@ -1,5 +1,6 @@
 #include "dynamics/setup/run_setup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,7 @@
 #include "dynamics/setup/pull_ahead.h"
 #include "dynamics/setup/quasi_static_lines.h"
 #include "dynamics/setup/stinger_setup.h"
+#include "model/bodies.h"
 #include "moorings/equilibrium.h"
 #include "statics/solver/lines_setup.h"
 
@@ -39,6 +41,15 @@ void follow_wires(const System& system, RunSetup& setup) {
   }
 }
 
+/// The bodies besides the vessel, behind those that are there.
+void add_bodies(const Model& model, RunSetup& setup) {
+  setup.first_body = setup.system.bodies.size();
+  for (const BodyDescription& body : model.description.bodies) {
+    setup.bodies.push_back(make_body_motion(body.hull, body_pose(body), setup.sea));
+    setup.system.bodies.emplace_back();
+  }
+}
+
 /// Lines that stand by themselves, or on each other, as they rest.
 void add_lines(const Model& model, const StaticSolution& start, RunSetup& setup) {
   follow_wires(setup.system, setup);
@@ -46,26 +57,37 @@ void add_lines(const Model& model, const StaticSolution& start, RunSetup& setup)
   const LinesSetup& resting = start.lines->setup;
   System& system = setup.system;
   const int first = static_cast<int>(system.lines.size());
+  const int shift = static_cast<int>(setup.first_body) - 1;  // of the bodies besides the vessel
+  const auto moved_on = [shift](int& body) { body += body > static_cast<int>(kVessel) ? shift : 0; };
   setup.swings = end_swings(model.description.lines, resting.lines, system.attachments.size());
   for (Attachment end : resting.system.attachments) {
     end.line += first;
+    moved_on(end.body);
     system.attachments.push_back(end);
   }
   system.lines.insert(system.lines.end(), resting.system.lines.begin(), resting.system.lines.end());
-  system.bodies.insert(system.bodies.end(), resting.system.bodies.begin() + 1, resting.system.bodies.end());
-  system.wires = resting.system.wires;
+  const auto points = resting.system.bodies.begin() + 1 + static_cast<std::ptrdiff_t>(setup.bodies.size());
+  system.bodies.insert(system.bodies.end(), points, resting.system.bodies.end());
+  for (Wire wire : resting.system.wires) {
+    moved_on(wire.first_body);
+    moved_on(wire.second_body);
+    system.wires.push_back(wire);
+  }
   for (std::size_t i = 0; i < resting.lines.size(); ++i) {
     const int line = resting.lines[i] < 0 ? -1 : first + resting.lines[i];
     setup.lines.push_back({model.description.lines[i].name, line, resting.wires[i]});
   }
 }
 
-/// Of the balance of a hull: of its pipe, else of what keeps it in its place.
+/// Of the balance of a hull: of its pipe, else of the lines that hold it, else of what keeps it in its place.
 double scale_of(const Description& d, const StaticSolution& start, const RunSetup& setup) {
   if (const std::optional<LaidPipe> pipe = find_laid_pipe(setup.system)) {
     return setup.system.lines[pipe->line].force_scale;
   }
-  return force_scale(*start.moorings, d.station_keeping);
+  if (start.moorings) return force_scale(*start.moorings, d.station_keeping);
+  double scale = 0.0;
+  for (const Line& line : setup.system.lines) scale = std::max(scale, line.force_scale);
+  return scale;
 }
 
 /// The vessel's motion: told, or that of a hull that floats free.
@@ -118,6 +140,7 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
     setup.system.bodies.emplace_back();  // the vessel
   }
   add_moorings(model, start, setup);
+  add_bodies(model, setup);
   add_lines(model, start, setup);
   add_motion(model, start, options, setup);
   add_move(model, start, setup);
@@ -138,6 +161,9 @@ void lead_bodies_and_ends(const RunSetup& setup, double time, Surroundings& now)
   if (!setup.hull) {
     const MoveAhead ahead{setup.move ? setup.move->at(time) : WayPoint{}, setup.wave_numbers_ahead};
     now.bodies[kVessel] = vessel_motion(setup.motion, ahead, time, half_cosine(time, setup.system.build_up));
+  }
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    now.bodies[setup.first_body + i] = vessel_motion(setup.bodies[i], time, half_cosine(time, setup.system.build_up));
   }
   lead_attachments(setup.system, now);
   swing_ends(setup.swings, time, setup.system.build_up, now.ends);

@@ -27,6 +27,8 @@ struct RunSetup {
   std::vector<std::string> mooring_names;
   std::vector<FollowedLine> lines;         ///< That stand by themselves, or on the pipe.
   LineShapes moorings;                     ///< First shapes of the mooring lines.
+  std::vector<VesselMotionModel> bodies;   ///< Motions of the bodies besides the vessel.
+  std::size_t first_body = 0;              ///< Where these begin among the bodies of the system.
   std::vector<EndSwing> swings;            ///< Of ends that move by themselves.
   std::vector<double> wave_numbers_ahead;  ///< Of the terms of `motion`, where the vessel moves ahead.
   std::optional<MoveProfile> move;         ///< Where the vessel is moved ahead.

@@ -6,6 +6,7 @@
 
 #include "mechanics/sea.h"
 #include "mechanics/vessel_motion.h"
+#include "model/bodies.h"
 #include "statics/solver/lines_setup.h"
 
 namespace overbend {
@@ -42,13 +43,21 @@ double line_leap_at_start(const Model& model, const DynamicOptions& options) {
   const Description& d = model.description;
   if (options.build_up > 0.0 || d.lines.empty()) return 0.0;
   const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, options.seed);
-  const RigidMotion vessel = vessel_motion(make_vessel_motion(model, sea), 0.0, BuildUp{});
+  std::vector<RigidMotion> bodies(1);
+  if (d.vessel.motion != VesselMotion::coupled) {
+    bodies.front() = vessel_motion(make_vessel_motion(model, sea), 0.0, BuildUp{});
+  }
+  for (const BodyDescription& body : d.bodies) {
+    bodies.push_back(vessel_motion(make_body_motion(body.hull, body_pose(body), sea), 0.0, BuildUp{}));
+  }
   double largest = 0.0;
   for (const FreeLineDescription& line : d.lines) {
     for (const LineEndDescription* end : {&line.first, &line.second}) {
-      const double leap = end->kind == LineEndKind::body
-                              ? (point_motion(vessel, end->at).place - end_place(model, *end)).norm()
-                              : std::abs(std::sin(end->phase)) * (end->period > 0.0 ? end->amplitude.norm() : 0.0);
+      if (d.vessel.motion == VesselMotion::coupled && is_on_vessel(*end)) continue;  // it goes with the hull
+      const double leap =
+          end->kind == LineEndKind::body
+              ? (point_motion(bodies[body_index(d, end->body)], end->at).place - end_place(model, *end)).norm()
+              : std::abs(std::sin(end->phase)) * (end->period > 0.0 ? end->amplitude.norm() : 0.0);
       largest = std::max(largest, leap);
     }
   }

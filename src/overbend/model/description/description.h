@@ -12,6 +12,7 @@
 
 #include "base/finding.h"
 #include "model/description/analysis_description.h"
+#include "model/description/body_description.h"
 #include "model/description/check_settings.h"
 #include "model/description/environment_description.h"
 #include "model/description/fatigue_description.h"
@@ -60,6 +61,7 @@ struct Description {
   std::optional<FatigueDescription> fatigue;
   std::optional<MooringsDescription> moorings;
   std::vector<FreeLineDescription> lines;  ///< Besides the pipe, or alone.
+  std::vector<BodyDescription> bodies;     ///< Besides the vessel, that ends of lines are on.
   std::optional<StationKeepingDescription> station_keeping;
   OperationDescription operation;
   std::optional<LayTableDescription> lay_table;

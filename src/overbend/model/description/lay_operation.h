@@ -54,6 +54,12 @@ struct VesselOffset {
   double x = 0.0, y = 0.0, heading = 0.0;
 };
 
+/// The same of another body.
+struct BodyOffset {
+  std::string body;
+  VesselOffset offset;
+};
+
 /// First ends of two lines that become one node.
 struct JoinDescription {
   std::string first, second;
@@ -73,6 +79,7 @@ struct LayStageDescription {
   std::optional<double> tank_ballast;    ///< Of ballast: fraction of it that is flooded [-].
   std::vector<LineValue> lengths = {}, tensions = {};  ///< Of lift: unstressed [m]; at the upper end [N].
   std::optional<VesselOffset> vessel = {};             ///< Of lift.
+  std::vector<BodyOffset> bodies = {};                 ///< Of lift.
   std::optional<JoinDescription> join = {};            ///< Of lift.
 };
 

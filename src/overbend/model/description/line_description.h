@@ -60,17 +60,20 @@ struct LinePointDescription {
   bool by_weight = false;  ///< Given by weight and buoyancy, until resolve_lines() makes mass and net force of them.
 };
 
+/// Word for the lay vessel where an end of a line names its body.
+inline constexpr const char* kVesselName = "vessel";
+
 enum class LineEndKind { fixed, body, bed, water, free, line };
 
 /// What holds an end of a line.
 struct LineEndDescription {
   LineEndKind kind = LineEndKind::fixed;
-  Vec3 at = Vec3::Zero();         ///< W for fixed, on the bed and in the water; frame of the body for body [m].
-  std::string body;               ///< vessel
-  std::string line;               ///< Of line: the one it is on.
-  double arc_length = 0.0;        ///< There, unstressed, from that line's first end [m].
-  bool clamped = false;           ///< Direction held as well as place.
-  Vec3 direction = Vec3::Zero();  ///< Of the line there, if clamped; frame as `at`.
+  Vec3 at = Vec3::Zero();          ///< W for fixed, on the bed and in the water; frame of the body for body [m].
+  std::string body = kVesselName;  ///< Of body: its name.
+  std::string line;                ///< Of line: the one it is on.
+  double arc_length = 0.0;         ///< There, unstressed, from that line's first end [m].
+  bool clamped = false;            ///< Direction held as well as place.
+  Vec3 direction = Vec3::Zero();   ///< Of the line there, if clamped; frame as `at`.
   /// Prescribed motion of a fixed end about `at`: amplitude along W axes, period and phase of a harmonic motion.
   Vec3 amplitude = Vec3::Zero();
   double period = 0.0, phase = 0.0;  ///< amplitude * sin(2 pi t / period + phase) [s, rad].
@@ -85,6 +88,11 @@ struct FreeLineDescription {
   std::optional<double> element;  ///< Length of its elements [m].
   std::optional<Vec3> start;      ///< Place of a free end before anything is lifted: x and y, W [m].
 };
+
+/// Whether an end of a line is on the lay vessel.
+inline bool is_on_vessel(const LineEndDescription& end) {
+  return end.kind == LineEndKind::body && end.body == kVesselName;
+}
 
 /// Whether pipe is in a line.
 inline bool has_pipe_section(const FreeLineDescription& line) {

@@ -18,7 +18,7 @@ bool is_positioned(const Description& description) {
 
 bool has_vessel(const Description& description) {
   const auto held = [](const FreeLineDescription& line) {
-    return line.first.kind == LineEndKind::body || line.second.kind == LineEndKind::body;
+    return is_on_vessel(line.first) || is_on_vessel(line.second);
   };
   return description.has_pipe || description.moorings || description.lines.empty() ||
          std::ranges::any_of(description.lines, held);

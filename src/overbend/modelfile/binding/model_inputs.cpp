@@ -13,8 +13,8 @@ namespace {
 
 /// What does not move a lay at rest whose vessel is held.
 constexpr std::array kLeftOut = {
-    "overbend", "analysis",        "environment.waves", "seek",         "sensitivities",      "moorings",
-    "lines",    "station_keeping", "vessel.motion",     "vessel.loads", "vessel.hydrostatics"};
+    "overbend", "analysis", "environment.waves", "seek",          "sensitivities", "moorings",
+    "lines",    "bodies",   "station_keeping",   "vessel.motion", "vessel.loads",  "vessel.hydrostatics"};
 
 /// What does not move a lay whose stinger is held where it rests, below the stinger or one of its sections.
 constexpr std::array kOfTheRest = {"body", "tanks", "limits", "springs", "stop_stiffness", "hinge_friction"};

@@ -133,6 +133,12 @@ void check_free_ends(Checker& check, const FieldValue& line) {
   check.missing(line, "start", "x and y of its first end", "both its ends are free: nothing says where it lies");
 }
 
+void check_body_name(Checker& check, const FieldValue& name) {
+  std::vector<std::string> known = body_names(check.root());
+  known.insert(known.begin(), kVesselName);
+  check_name(check, name, known, "bodies");
+}
+
 void check_end(Checker& check, const FieldValue& line, const FieldValue& end) {
   std::vector<std::string> given;
   for (const std::string& kind : end_kinds()) {
@@ -151,7 +157,10 @@ void check_end(Checker& check, const FieldValue& line, const FieldValue& end) {
   if (body && end.find("motion") != nullptr && end.find("motion")->given) {
     check.error(*end.find("motion"), "a prescribed motion", "none for an end on a body", "it moves with the body");
   }
-  if (body && !is_given(check.root(), "vessel")) {
+  const FieldValue* name = end.find("body");
+  const bool vessel = name != nullptr && name->text == kVesselName;
+  if (body && name != nullptr && !vessel) check_body_name(check, *name);
+  if (vessel && !is_given(check.root(), "vessel")) {
     check.missing(check.root(), "vessel", "a group of keys", "an end of a line is on it");
   }
   const FieldValue* direction = end.find("direction");

@@ -38,6 +38,25 @@ void check_values(Checker& check, const FieldValue& stage, const char* key) {
   }
 }
 
+/// Bodies that a stage moves have to be there; a vessel that floats goes where lines let it.
+void check_moves(Checker& check, const FieldValue& stage) {
+  const FieldValue* vessel = stage.find("vessel");
+  if (vessel != nullptr && vessel->given && hull_floats(check.root())) {
+    check.error(*vessel, "a place of a vessel that floats free", "none: lines and water move it",
+                "or hold it: leave out vessel.hydrostatics or vessel.motion.coupled");
+  }
+  const FieldValue* bodies = stage.find("bodies");
+  if (bodies == nullptr) return;
+  const std::vector<std::string> names = body_names(check.root());
+  for (const FieldValue& body : bodies->children) {
+    if (std::ranges::find(names, body.key) != names.end()) continue;
+    const std::string near = nearest_word(body.key, names);
+    check.error(body, "the unknown body '" + for_display(body.key) + "'",
+                names.empty() ? "a name under bodies" : one_of(names),
+                near.empty() ? "" : "did you mean '" + near + "'?");
+  }
+}
+
 void check_one_way(Checker& check, const FieldValue& stage) {
   const FieldValue *lengths = stage.find("lengths"), *tensions = stage.find("tensions");
   if (lengths == nullptr || tensions == nullptr) return;
@@ -145,6 +164,7 @@ void check_lift(Checker& check, const FieldValue& operation) {
     check_values(check, stage, "lengths");
     check_values(check, stage, "tensions");
     check_one_way(check, stage);
+    check_moves(check, stage);
     check_join(check, stage, joined);
   }
 }

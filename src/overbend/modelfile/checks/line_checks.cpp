@@ -113,12 +113,24 @@ std::vector<std::string> names_below(const FieldValue& root, const std::string& 
   return names;
 }
 
-std::vector<std::string> line_names(const std::vector<FieldValue>& lines) {
+namespace {
+
+std::vector<std::string> item_names(const std::vector<FieldValue>& items, const std::string& kind) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    names.push_back(lines[i].get_text("name").value_or("line " + std::to_string(i + 1)));
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    names.push_back(items[i].get_text("name").value_or(kind + " " + std::to_string(i + 1)));
   }
   return names;
+}
+
+}  // namespace
+
+std::vector<std::string> line_names(const std::vector<FieldValue>& lines) {
+  return item_names(lines, "line");
+}
+
+std::vector<std::string> body_names(const FieldValue& root) {
+  return item_names(Checker::items(root, "bodies"), "body");
 }
 
 void check_name(Checker& check, const FieldValue& name, const std::vector<std::string>& known,

@@ -13,6 +13,9 @@ namespace overbend {
 /// Names of lines in a list, those without one by their number.
 std::vector<std::string> line_names(const std::vector<FieldValue>& lines);
 
+/// Names of the bodies besides the vessel, those without one by their number.
+std::vector<std::string> body_names(const FieldValue& root);
+
 /// Names under moorings.types, those that were complained about as well.
 std::vector<std::string> names_below(const FieldValue& root, const std::string& group);
 

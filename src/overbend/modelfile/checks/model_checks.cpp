@@ -301,6 +301,7 @@ void check_model(const FieldValue& root, const std::string& file, Diagnostics& d
   check_tensioner_mode(check);
   check_vessel(check);
   check_motion(root, file, diagnostics);
+  check_bodies(check, file);
   check_supports(root, file, diagnostics);
   check_hull(check, file);
   check_moorings(check, used_types);

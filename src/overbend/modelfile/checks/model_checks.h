@@ -60,6 +60,12 @@ void check_operation(Checker& check);
 void check_lift(Checker& check, const FieldValue& operation);
 void check_lay_operation(Checker& check, const FieldValue& operation, OperationType type);
 
+/// Bodies besides the vessel: part of check_model.
+void check_bodies(Checker& check, const std::string& file);
+
+/// Where a motion comes from: `vessel.motion`, or that of another body; part of check_motion and check_bodies.
+void check_motion_source(Checker& check, const FieldValue& motion);
+
 /// Lines by themselves: part of check_model.
 void check_free_lines(Checker& check, std::set<std::string>& used_types);
 

@@ -11,9 +11,10 @@ namespace overbend {
 namespace {
 
 /// The keys that say where the motion comes from.
-std::vector<std::string> sources() {
+std::vector<std::string> sources(const FieldValue& motion) {
   std::vector<std::string> words = words_of<VesselMotion>();
   std::erase(words, word_of(VesselMotion::fixed));
+  if (!motion.path.starts_with("vessel.")) std::erase(words, word_of(VesselMotion::coupled));
   return words;
 }
 
@@ -38,21 +39,24 @@ void check_harmonic(Checker& check, const FieldValue& freedom) {
 
 void check_motion(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
   Checker check(root, file, diagnostics);
-  const FieldValue* motion = root.find("vessel.motion");
-  if (motion == nullptr || motion->kind != FieldValue::Kind::map) return;
-  static const std::vector<std::string> kSources = sources();
-  if (const FieldValue* harmonic = motion->find("harmonic"); harmonic != nullptr) {
+  if (const FieldValue* motion = root.find("vessel.motion")) check_motion_source(check, *motion);
+}
+
+void check_motion_source(Checker& check, const FieldValue& motion) {
+  if (motion.kind != FieldValue::Kind::map) return;
+  const std::vector<std::string> known = sources(motion);
+  if (const FieldValue* harmonic = motion.find("harmonic"); harmonic != nullptr) {
     for (const FieldValue& freedom : harmonic->children) check_harmonic(check, freedom);
   }
   std::vector<std::string> given;
-  for (const std::string& source : kSources) {
-    if (motion->mentions(source)) given.push_back(source);
+  for (const std::string& source : known) {
+    if (motion.mentions(source)) given.push_back(source);
   }
-  const FieldValue* convention = motion->find("convention");
+  const FieldValue* convention = motion.find("convention");
   const bool stated = convention != nullptr && convention->given;
-  if (given.size() > 1 || (given.empty() && (stated || motion->mentions("convention")))) {
-    check.error(*motion, given.empty() ? "a convention without a motion" : join_words(given, "and"),
-                "1 of " + join_words(kSources, "or"));
+  if (given.size() > 1 || (given.empty() && (stated || motion.mentions("convention")))) {
+    check.error(motion, given.empty() ? "a convention without a motion" : join_words(given, "and"),
+                "1 of " + join_words(known, "or"));
     return;
   }
   if (!stated || given.empty() || given.front() == word_of(VesselMotion::raos)) return;

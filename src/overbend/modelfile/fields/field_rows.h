@@ -64,6 +64,7 @@ std::vector<Field> stinger_settings(const std::string& path, const Member& setti
 /// The lay route in plan.
 std::vector<Field> route();
 std::vector<Field> moorings();
+std::vector<Field> bodies();
 std::vector<Field> free_lines();
 std::vector<Field> station_keeping();
 std::vector<Field> operation();

@@ -32,15 +32,13 @@ std::vector<Field> places() {
                           "another of fixed, body, bed and water"),
        .shown = kLength,
        .texts = world_axes_words()});
-  Field body =
-      otherwise(row_of_kind(FieldKind::choice, kEnd + ".body", taken_by<End>([](End& end, const FieldValue& name) {
+  rows.push_back(
+      otherwise(row_of_kind(FieldKind::text, kEnd + ".body", taken_by<End>([](End& end, const FieldValue& name) {
                               end.kind = LineEndKind::body;
                               end.body = name.text;
                             }),
-                            "Held by this body, at the point `at`."),
-                "another of fixed, body, bed and water");
-  body.choices = {"vessel"};
-  rows.push_back(body);
+                            "Held by this body, at the point `at`: `vessel`, or a name under `bodies`."),
+                "another of fixed, body, bed and water"));
   append(rows,
          vector_rows({.group = otherwise(group_row(kEnd + ".at", enters(&End::at), "Point of the body, in its frame."),
                                          "must be given with body"),

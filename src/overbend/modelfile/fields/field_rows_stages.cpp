@@ -69,6 +69,9 @@ std::vector<Field> lift_stage(const std::string& s) {
   const auto vessel = [](StageTarget& stage, const FieldValue&) -> VesselOffset& {
     return stage.lay().vessel.emplace();
   };
+  const auto body = [](StageTarget& stage, const FieldValue& value) -> VesselOffset& {
+    return stage.lay().bodies.emplace_back(BodyOffset{value.key, {}}).offset;
+  };
   return {
       otherwise(group_row(s + ".lengths", {}, "Of lift: unstressed lengths of lines, by their names."),
                 "as in the stage before"),
@@ -88,6 +91,15 @@ std::vector<Field> lift_stage(const std::string& s) {
       quantity_row(s + ".vessel.x", with_default(fills(&VesselOffset::x), 0.0), "Forward.", kLength),
       quantity_row(s + ".vessel.y", with_default(fills(&VesselOffset::y), 0.0), "To port.", kLength),
       quantity_row(s + ".vessel.heading", with_default(fills(&VesselOffset::heading), 0.0), "Clockwise from above.",
+                   kAngle, azimuth()),
+      otherwise(group_row(s + ".bodies", {},
+                          "Of lift: where bodies besides the vessel lie, by their names, each from its place as drawn "
+                          "along its axes there."),
+                "as in the stage before"),
+      group_row(s + ".bodies.*", opened_by<StageTarget>(body), "Of that body."),
+      quantity_row(s + ".bodies.*.x", with_default(fills(&VesselOffset::x), 0.0), "Forward.", kLength),
+      quantity_row(s + ".bodies.*.y", with_default(fills(&VesselOffset::y), 0.0), "To port.", kLength),
+      quantity_row(s + ".bodies.*.heading", with_default(fills(&VesselOffset::heading), 0.0), "Clockwise from above.",
                    kAngle, azimuth()),
       otherwise(group_row(s + ".join", opened_by<StageTarget>(join_of),
                           "Of lift: the first ends of two lines become one node, from this stage on."),

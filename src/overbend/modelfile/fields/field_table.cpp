@@ -52,28 +52,9 @@ std::vector<Field> report() {
 const std::vector<Field>& field_table() {
   static const std::vector<Field> kTable = [] {
     std::vector<Field> table;
-    for (auto* part : {head,
-                       report,
-                       environment,
-                       waves,
-                       pipe,
-                       vessel,
-                       hull,
-                       motion_convention,
-                       tensioner,
-                       rollers,
-                       supports,
-                       route,
-                       moorings,
-                       free_lines,
-                       station_keeping,
-                       operation,
-                       lay_table,
-                       seek,
-                       analysis,
-                       checks,
-                       fatigue,
-                       sensitivities}) {
+    for (auto* part : {head,      report,    environment, waves,    pipe,     vessel,  hull,         motion_convention,
+                       tensioner, rollers,   supports,    route,    moorings, bodies,  free_lines,   station_keeping,
+                       operation, lay_table, seek,        analysis, checks,   fatigue, sensitivities}) {
       append(table, part());
     }
     for (Field& row : table) complete_from_member(row);

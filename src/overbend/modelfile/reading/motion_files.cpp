@@ -10,28 +10,36 @@
 namespace overbend {
 namespace {
 
-RaoSettings settings_of(const FieldValue& root, const std::string& source_file) {
-  constexpr const char* kPath = "vessel.motion.convention";
+/// Of the motion of a body, whose keys stand in `group`.
+RaoSettings settings_of(const FieldValue& group, const std::string& source_file) {
   RaoSettings settings;
-  const FieldValue* convention = root.find(kPath);
-  if (convention != nullptr) bind_members(field_node(kPath), *convention, &settings, source_file);
+  const FieldValue* convention = group.find("motion.convention");
+  if (convention != nullptr) bind_members(field_node("vessel.motion.convention"), *convention, &settings, source_file);
   return settings;
+}
+
+void read_file(const FieldValue& group, const Description& description, VesselDescription& body,
+               Diagnostics& diagnostics) {
+  RaoSettings settings = settings_of(group, description.source_file);
+  const FieldValue* length = group.find("length");
+  if (length != nullptr && length->given) settings.vessel_length = body.length;
+  body.motion_reference_V = settings.reference.value_or(Vec3::Zero());
+  std::error_code fault;
+  if (body.motion_file.empty() || !std::filesystem::exists(body.motion_file, fault)) return;
+  if (body.motion == VesselMotion::raos) {
+    body.raos = read_raos(body.motion_file, settings, description.environment.water_depth, diagnostics);
+  } else if (body.motion == VesselMotion::history) {
+    body.history = read_motion_history(body.motion_file, body.heading, diagnostics);
+  }
 }
 
 }  // namespace
 
 void read_motion_file(const FieldValue& root, Description& description, Diagnostics& diagnostics) {
-  VesselDescription& vessel = description.vessel;
-  RaoSettings settings = settings_of(root, description.source_file);
-  const FieldValue* length = root.find("vessel.length");
-  if (length != nullptr && length->given) settings.vessel_length = vessel.length;
-  vessel.motion_reference_V = settings.reference.value_or(Vec3::Zero());
-  std::error_code fault;
-  if (vessel.motion_file.empty() || !std::filesystem::exists(vessel.motion_file, fault)) return;
-  if (vessel.motion == VesselMotion::raos) {
-    vessel.raos = read_raos(vessel.motion_file, settings, description.environment.water_depth, diagnostics);
-  } else if (vessel.motion == VesselMotion::history) {
-    vessel.history = read_motion_history(vessel.motion_file, vessel.heading, diagnostics);
+  if (const FieldValue* vessel = root.find("vessel")) read_file(*vessel, description, description.vessel, diagnostics);
+  const FieldValue* bodies = root.find("bodies");
+  for (std::size_t i = 0; bodies != nullptr && i < description.bodies.size(); ++i) {
+    read_file(bodies->children[i], description, description.bodies[i].hull, diagnostics);
   }
 }
 

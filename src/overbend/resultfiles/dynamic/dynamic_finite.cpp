@@ -1,3 +1,4 @@
+#include "resultfiles/lines/bodies_files.h"
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/static/finite_check.h"
 #include "resultfiles/tables/finite_visitor.h"
@@ -108,6 +109,7 @@ void require_finite(const DynamicResults& results) {
   check_rows("dynamic.moorings", results.moorings, [](const auto& row, auto& v) { visit_mooring_dynamics(row, v); });
   check_rows("dynamic.stinger", results.stinger, [](const auto& row, auto& v) { visit_stinger_dynamics(row, v); });
   require_finite(results.lines);
+  require_finite(results.bodies);
   check_fatigue(results);
   check_histories(results);
   const FiniteColumns design{"dynamic.design"};

@@ -5,6 +5,7 @@
 #include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
 #include "resultfiles/hdf5/object_links.h"
+#include "resultfiles/lines/bodies_files.h"
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/moored_dynamics_hdf5.h"
 #include "results/fields/dynamic_values.h"
@@ -177,6 +178,7 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
   write_checks(file, "/dynamic/checks", dynamics.checks);
   write_moored_dynamics(file, dynamics);
   write_lines_in_time(file, dynamics.lines);
+  write_bodies_in_time(file, dynamics.bodies);
   write_summaries(file, dynamics.histories);
   write_spectra(file, dynamics.spectra);
   write_long_data(file, store);

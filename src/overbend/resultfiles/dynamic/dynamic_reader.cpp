@@ -5,6 +5,7 @@
 #include "resultfiles/hdf5/check_hdf5.h"
 #include "resultfiles/hdf5/dataset_path.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
+#include "resultfiles/lines/bodies_files.h"
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/moored_dynamics_hdf5.h"
 #include "results/fields/dynamic_values.h"
@@ -125,6 +126,7 @@ DynamicResults read_dynamics(const Hdf5Reader& file) {
   results.checks = read_checks(file, "/dynamic/checks");
   read_moored_dynamics(file, results);
   results.lines = read_lines_in_time(file);
+  results.bodies = read_bodies_in_time(file);
   read_summaries(file, results.histories);
   read_spectra(file, results.spectra);
   return results;

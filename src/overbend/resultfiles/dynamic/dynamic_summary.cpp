@@ -15,6 +15,7 @@ Json dynamic_summary_json(const StaticResults& statics, const DynamicResults& re
   add_stinger_dynamics(results, summary);
   add_fatigue(results, summary);
   add_lines_in_time(results, summary);
+  add_bodies_in_time(results, summary);
   return summary;
 }
 

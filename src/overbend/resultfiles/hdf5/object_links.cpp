@@ -40,7 +40,7 @@ void link_objects(Hdf5Writer& file, const StaticResults& results, const std::str
   const std::vector<MooringLineResult> none;
   const Named kinds[] = {named("<line>", results.lines),
                          named("<mooring>", results.moorings ? results.moorings->rest.moorings : none),
-                         named("<support>", results.supports)};
+                         named("<support>", results.supports), named("<body>", results.bodies)};
   for (const ObjectLink& row : object_links()) {
     const std::string link = "/objects" + object + "/" + std::string(row.link), target = group + std::string(row.group);
     bool listed = false;

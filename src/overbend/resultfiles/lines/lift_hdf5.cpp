@@ -2,6 +2,7 @@
 
 #include "resultfiles/hdf5/check_hdf5.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
+#include "resultfiles/lines/bodies_files.h"
 #include "results/fields/lift_fields.h"
 #include "results/fields/static_values.h"
 
@@ -115,6 +116,7 @@ void write_lift_group(DatasetSink& file, const std::string& group, const StaticR
     visit_lifted_wire(lift.davits[i], values);
     visit_line_place(lift.davits[i].at, values);
   }
+  write_bodies(file, group + "/bodies", results.bodies);
   if (lift.gap) {
     file.group(group + "/gap", "Ends that are to be welded");
     ValueWriter values{file, group + "/gap"};
@@ -142,6 +144,7 @@ StaticResults read_lift_group(const Hdf5Reader& file, const std::string& group) 
     visit_lifted_wire(wire, values);
     visit_line_place(wire.at, values);
   }
+  results.bodies = read_bodies(file, group + "/bodies");
   if (file.has(group + "/gap")) {
     ValueReader values{file, group + "/gap"};
     visit_weld_gap(lift.gap.emplace(), values);

@@ -1,4 +1,5 @@
 #include "model/description/operation_words.h"
+#include "resultfiles/lines/bodies_files.h"
 #include "resultfiles/stages/dragging_json.h"
 #include "resultfiles/stages/operation_writer.h"
 #include "resultfiles/static/case_summary.h"
@@ -56,6 +57,7 @@ Json stage_summary_json(const StageResult& stage) {
   }
   if (stage.lay && stage.lay->lift) {
     json.update(lift_json(*stage.lay->lift));
+    if (!stage.lay->bodies.empty()) json["bodies"] = bodies_json(stage.lay->bodies);
     json["checks"] = summary_checks(style, stage.lay->checks);
     json["lift_findings"] = findings_json(stage.lay->findings);
   } else if (stage.lay) {

@@ -1,5 +1,6 @@
 #include "resultfiles/static/finite_check.h"
 
+#include "resultfiles/lines/bodies_files.h"
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/mooring_tables.h"
 #include "resultfiles/tables/finite_visitor.h"
@@ -124,6 +125,7 @@ void require_finite(const StaticResults& results) {
   if (results.moorings) require_finite(*results.moorings);
   if (results.hull) require_finite(*results.hull);
   require_finite(results.lines);
+  require_finite(results.bodies);
 }
 
 }  // namespace overbend

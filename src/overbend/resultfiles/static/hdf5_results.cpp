@@ -2,6 +2,7 @@
 #include "resultfiles/hdf5/hdf5_file.h"
 #include "resultfiles/hdf5/hdf5_visitors.h"
 #include "resultfiles/hdf5/object_links.h"
+#include "resultfiles/lines/bodies_files.h"
 #include "resultfiles/lines/lift_hdf5.h"
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/mooring_hdf5.h"
@@ -262,6 +263,7 @@ void write_static_parts(DatasetSink& file, const StaticResults& results) {
   if (results.moorings) write_moorings(file, *results.moorings);
   if (results.hull) write_hull(file, *results.hull);
   write_lines(file, results.lines);
+  write_bodies(file, "/bodies", results.bodies);
   if (results.lift) write_lift_group(file, "/lift", results);
 }
 

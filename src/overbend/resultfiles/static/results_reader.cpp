@@ -2,6 +2,7 @@
 
 #include "resultfiles/hdf5/check_hdf5.h"
 #include "resultfiles/hdf5/hdf5_readers.h"
+#include "resultfiles/lines/bodies_files.h"
 #include "resultfiles/lines/lift_hdf5.h"
 #include "resultfiles/lines/lines_files.h"
 #include "resultfiles/moored/mooring_hdf5.h"
@@ -217,6 +218,7 @@ StoredStatics read_static_results(const std::filesystem::path& h5) {
   results.moorings = read_moorings(file);
   results.hull = read_hull(file);
   results.lines = read_lines(file);
+  results.bodies = read_bodies(file, "/bodies");
   if (file.has("/lift")) results.lift = read_lift_group(file, "/lift").lift;
   stored.sensitivities = read_sensitivities(file);
   return stored;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "resultfiles/summary/summary_fields.h"
+#include "results/fields/body_values.h"
 #include "results/fields/fatigue_fields.h"
 #include "results/fields/lay_operation_fields.h"
 #include "results/fields/line_values.h"
@@ -199,11 +200,15 @@ void add_line_units(const UnitStyle& style, Json& statics) {
   for (const char* name : {"first", "second"}) {
     units[0][name] = object_of(style, [&](auto& one) { visit_line_end(end, one); });
   }
+  const BodyResult body;
+  statics["bodies"] = Json::array({object_of(style, [&](auto& one) { visit_body(body, one); })});
 }
 
 void add_line_units_in_time(const UnitStyle& style, Json& dynamic) {
   const LineDynamics line;
   dynamic["lines"] = Json::array({object_of(style, [&](auto& one) { visit_line_in_time(line, one); })});
+  const BodyDynamics body;
+  dynamic["bodies"] = Json::array({object_of(style, [&](auto& one) { visit_body_in_time(body, one); })});
 }
 
 Json static_summary_told(const UnitStyle& style) {

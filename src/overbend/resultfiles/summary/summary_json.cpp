@@ -31,6 +31,7 @@ Json static_summary_json(const StaticResults& r) {
   if (r.moorings) add_moorings(*r.moorings, summary);
   if (r.hull) add_hull(*r.hull, summary);
   add_lines(r, summary);
+  add_bodies(r, summary);
   if (r.lift) summary["static"]["lift"] = lift_json(*r.lift);
   return summary;
 }

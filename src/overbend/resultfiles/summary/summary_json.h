@@ -20,6 +20,9 @@ void add_moorings(const MooringResults& results, Json& summary);
 /// static.lines, where lines stand by themselves, and dynamic.lines.
 void add_lines(const StaticResults& results, Json& summary);
 void add_lines_in_time(const DynamicResults& results, Json& summary);
+/// static.bodies and dynamic.bodies, where lines are on bodies.
+void add_bodies(const StaticResults& results, Json& summary);
+void add_bodies_in_time(const DynamicResults& results, Json& summary);
 /// static.hull.
 void add_hull(const HullResults& hull, Json& summary);
 /// dynamic.vessel and dynamic.moorings, where the vessel floats.

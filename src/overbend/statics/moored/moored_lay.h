@@ -18,6 +18,7 @@ struct ModelEquilibrium {
   std::optional<MooringResults> moorings{};  ///< Of a hull on mooring lines, or by dynamic positioning.
   std::vector<LineResult> lines{};           ///< That stand by themselves.
   std::optional<LiftResults> lift{};         ///< Of lines that hold each other.
+  std::vector<BodyResult> bodies{};          ///< Of the bodies besides the vessel, and of a vessel that lines hold.
   // Of all but the pipe, whose results are recovered from the solution.
   Assumptions assumptions{};
   Findings findings{};
@@ -28,7 +29,10 @@ struct ModelEquilibrium {
 /// `start` and `past` serve a pipe, as in solve_statics().
 ModelEquilibrium solve_equilibrium(Model& model, const StaticSolution* start = nullptr, const LinePast& past = {});
 
-/// Of lines by themselves, on a vessel that stays where it is drawn.
+/// What is asked of lines that stand by themselves and cannot be solved.
+std::optional<StaticFailure> lines_obstacle(const Description& description);
+
+/// Of lines by themselves, on bodies that stay where they are drawn and a vessel that does, or floats free.
 ModelEquilibrium solve_lines(const Model& model);
 
 /// Rest of a hull on its lines or by dynamic positioning without a pipe, and the stages of its operation; sets

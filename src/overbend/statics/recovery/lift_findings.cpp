@@ -95,6 +95,25 @@ void warn_of_lift(const Model& model, const LiftResults& lift, Findings& finding
   warn_of_weld(lift, findings);
 }
 
+void warn_of_wires(const Model& model, const std::vector<LineResult>& lines, Findings& findings) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const FreeLineDescription& description = model.description.lines[i];
+    const LineResult& line = lines[i];
+    const std::string object = "line " + line.name;
+    if (line.utilisation && *line.utilisation > 1.0) {
+      findings.push_back(Finding{FindingCode::breaking_load_exceeded,
+                                 fmt::format("line \"{}\": its largest tension is {:.2f} times its breaking load",
+                                             line.name, *line.utilisation)}
+                             .on(object)
+                             .with("utilisation", *line.utilisation, "1"));
+    }
+    const bool wire = !has_pipe_section(description) && is_weightless(description) && !is_linked(description);
+    if (!wire || line.largest_tension > 0.0) continue;
+    findings.push_back(
+        Finding{FindingCode::line_slack, fmt::format("line \"{}\": slack, it holds nothing", line.name)}.on(object));
+  }
+}
+
 Assumptions lift_assumptions(const Model& model) {
   Assumptions told = {{AssumptionRank::other,
                        "Lines on lines: an attachment is a hinge on the axis of the line it is on; pipe is linear "

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mechanics/ground.h"
+#include "model/bodies.h"
 #include "model/waves/wave_theory.h"
 #include "statics/solver/lines_statics.h"
 #include "statics/solver/linked_lines.h"
@@ -34,7 +35,7 @@ Attachment attachment_of(const Model& model, const LineEndDescription& end, int 
   attachment.hold_place = true;
   attachment.hold_direction = end.clamped;
   attachment.direction = end.clamped ? Vec3(end.direction.normalized()) : Vec3::UnitX();
-  attachment.body = end.kind == LineEndKind::body ? 0 : kGround;
+  attachment.body = end.kind == LineEndKind::body ? static_cast<int>(body_index(model.description, end.body)) : kGround;
   attachment.place = end.kind == LineEndKind::body ? end.at : end_place(model, end);
   return attachment;
 }
@@ -91,7 +92,7 @@ std::vector<FineStretch> stretches_in_waves(double k, const LineMesh& mesh, cons
 LinesSetup setup_on(const Model& model, const std::vector<std::vector<FineStretch>>& fine) {
   LinesSetup setup;
   System& system = setup.system;
-  system.bodies.resize(1);
+  system.bodies.resize(1 + model.description.bodies.size());
   int number = 0;
   for (const FreeLineDescription& line : model.description.lines) {
     const CableParts parts{line.segments, line.points};
@@ -114,7 +115,7 @@ LinesSetup setup_on(const Model& model, const std::vector<std::vector<FineStretc
     }
     ++number;
   }
-  system.surroundings = resting_surroundings(model.mean_pose, system.attachments);
+  system.surroundings = resting_surroundings(body_poses(model), system.attachments);
   return setup;
 }
 
@@ -179,7 +180,9 @@ CableMesh wanted_mesh(const Model& model, const FreeLineDescription& line, const
 }
 
 bool has_linked_lines(const Description& description) {
-  return std::ranges::any_of(description.lines, is_linked);
+  return std::ranges::any_of(description.lines, [](const FreeLineDescription& line) {
+    return is_linked(line) || (!has_pipe_section(line) && is_weightless(line));
+  });
 }
 
 LinesSetup lines_setup(const Model& model) {
@@ -190,10 +193,12 @@ LinesSetup lines_setup(const Model& model) {
   return setup_on(model, guessed ? std::vector<std::vector<FineStretch>>{} : stretches_at_rest(model, k));
 }
 
-SurroundingsAt resting_surroundings(const VesselPose& pose, const std::vector<Attachment>& attachments) {
+SurroundingsAt resting_surroundings(const std::vector<VesselPose>& poses, const std::vector<Attachment>& attachments) {
+  std::vector<RigidMotion> bodies;
+  for (const VesselPose& pose : poses) bodies.push_back(resting(pose));
   // By value: the system may be moved.
-  return [vessel = resting(pose), ends = attachments](double, Surroundings& now) {
-    now.bodies[kVessel] = vessel;
+  return [bodies, ends = attachments](double, Surroundings& now) {
+    std::ranges::copy(bodies, now.bodies.begin());
     lead_attachments(ends, now);
   };
 }

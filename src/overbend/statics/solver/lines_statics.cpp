@@ -69,6 +69,18 @@ NewtonReport rest_line(Assembly& assembly, std::size_t line, const SystemState& 
   return rest_from_here(resting, assembly, line, state, settings, settings.max_iterations);
 }
 
+double rounding_residual(const Line& line, const std::vector<double>& q) {
+  constexpr double kOfPlace = 1e-15;  // of the furthest coordinate
+  double furthest = 1.0, stiffest = 0.0;
+  for (std::size_t node = 0; node < line.mesh.s.size(); ++node) {
+    for (std::size_t k = 0; k < 3; ++k) furthest = std::max(furthest, std::abs(q[6 * node + k]));
+  }
+  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
+    stiffest = std::max(stiffest, line.elements.EA[e] / line.mesh.length[e]);
+  }
+  return kOfPlace * furthest * stiffest / line.force_scale;
+}
+
 bool LinesRest::converged() const {
   return std::all_of(lines.begin(), lines.end(), [](const NewtonReport& line) { return line.converged(); });
 }

@@ -20,6 +20,9 @@ struct LineRestSettings {
 NewtonReport rest_line(Assembly& assembly, std::size_t line, const SystemState& laid, double slowly, SystemState& state,
                        const LineRestSettings& settings = {});
 
+/// What rounding of the places makes of the forces on a node of a line, over its force scale: its elements are stiff.
+double rounding_residual(const Line& line, const std::vector<double>& q);
+
 struct LinesRest {
   std::vector<NewtonReport> lines;  ///< In the order of the system.
   /// Lines that rest where their first guess laid them, in bows, held there by friction: on a straight course, where

@@ -8,6 +8,8 @@
 #include "base/require.h"
 #include "base/shown_unit.h"
 #include "hull/body_kinematics.h"
+#include "model/bodies.h"
+#include "statics/solver/floating_hull.h"
 
 namespace overbend {
 namespace {
@@ -37,6 +39,10 @@ double rounding_of(const Line& line, const std::vector<double>& q) {
 
 double mixed(double from, double to, double share) {
   return from + share * (to - from);
+}
+
+VesselOffset mixed(const VesselOffset& from, const VesselOffset& to, double share) {
+  return {mixed(from.x, to.x, share), mixed(from.y, to.y, share), mixed(from.heading, to.heading, share)};
 }
 
 /// A rigid point at the first end of a line, its x axis on along the line to there, rolled upright.
@@ -115,6 +121,7 @@ LiftPosition drawn_position(const Description& description) {
     position.lengths.push_back(unstressed_length(line));
     position.tensions.emplace_back();
   }
+  position.bodies.resize(description.bodies.size());
   return position;
 }
 
@@ -124,22 +131,20 @@ LiftPosition stage_position(const Description& description, const LayStageDescri
     from.tensions[index_of(description.lines, tension.line)] = tension.value;
   }
   if (stage.vessel) from.vessel = *stage.vessel;
+  for (const BodyOffset& body : stage.bodies) from.bodies[body_index(description, body.body) - 1] = body.offset;
   if (stage.join) from.joins.push_back(*stage.join);
   return from;
 }
 
-LinkedLines::LinkedLines(const Model& model)
-    : model_(&model), setup_(linked_lines_setup(model)), state_(start_of(setup_, 0.0)) {
+LinkedLines::LinkedLines(const Model& model) : model_(&model), setup_(linked_lines_setup(model)) {
+  float_vessel(model, setup_);
+  state_ = start_of(setup_, 0.0);
   position_ = drawn_position(model.description);
   for (std::size_t i = 0; i < position_.lengths.size(); ++i) {
     position_.lengths[i] = setup_.wires[i] >= 0 ? setup_.system.wires[to_size(setup_.wires[i])].length
                                                 : setup_.system.lines[to_size(setup_.lines[i])].mesh.total_length();
   }
   assembly_.emplace(setup_.system);
-}
-
-VesselPose LinkedLines::vessel_pose() const {
-  return moved_pose(model_->mean_pose, position_.vessel);
 }
 
 /// Points rest where they are, and friction of the bed is what the way there has left.
@@ -241,8 +246,10 @@ void LinkedLines::put(const LiftPosition& position) {
       set_length(line, position.lengths[i]);
     }
   }
-  setup_.system.surroundings =
-      resting_surroundings(moved_pose(model_->mean_pose, position.vessel), setup_.system.attachments);
+  std::vector<VesselPose> poses = body_poses(*model_);
+  poses.front() = moved_pose(poses.front(), position.vessel);
+  for (std::size_t i = 0; i < position.bodies.size(); ++i) poses[i + 1] = moved_pose(poses[i + 1], position.bodies[i]);
+  setup_.system.surroundings = resting_surroundings(poses, setup_.system.attachments);
 }
 
 bool LinkedLines::rest(const SystemState& laid) {
@@ -251,7 +258,7 @@ bool LinkedLines::rest(const SystemState& laid) {
   newton.max_iterations = 300;
   newton.body_step = {5.0, 0.3};
   for (std::size_t i = 0; i < state_.lines.size(); ++i) {
-    newton.tolerance = std::max(newton.tolerance, rounding_of(setup_.system.lines[i], state_.lines[i].q));
+    newton.tolerance = std::max(newton.tolerance, rounding_residual(setup_.system.lines[i], state_.lines[i].q));
   }
   const NewtonReport report = solve_equilibrium(equilibrium, state_, newton);
   iterations_ += report.iterations;
@@ -271,9 +278,10 @@ LiftPosition LinkedLines::between(const LiftPosition& target, double share) cons
     const double now = assembly_->wires()[to_size(setup_.wires[i])].tension;
     position.tensions[i] = mixed(now, *target.tensions[i], share);
   }
-  position.vessel = {mixed(position_.vessel.x, target.vessel.x, share),
-                     mixed(position_.vessel.y, target.vessel.y, share),
-                     mixed(position_.vessel.heading, target.vessel.heading, share)};
+  position.vessel = mixed(position_.vessel, target.vessel, share);
+  for (std::size_t i = 0; i < target.bodies.size(); ++i) {
+    position.bodies[i] = mixed(position_.bodies[i], target.bodies[i], share);
+  }
   position.closed = mixed(position_.closed, 1.0, share);
   return position;
 }
@@ -288,6 +296,19 @@ void LinkedLines::find_lengths() {
     position_.tensions[i].reset();
   }
   put(position_);
+}
+
+/// Once all is where it is drawn a vessel that floats free is let go; from then on lines have to hold it.
+std::optional<StaticFailure> LinkedLines::let_float() {
+  if (!setup_.hull) return std::nullopt;
+  if (afloat_) return find_what_holds_vessel(*model_, setup_, state_).failure;
+  HeldVessel held = let_vessel_float(*model_, setup_, state_);
+  if (held.failure) return std::move(held.failure);
+  afloat_ = true;
+  assembly_.emplace(setup_.system);
+  const SystemState laid = state_;
+  if (rest(laid)) return std::nullopt;
+  return StaticFailure{"no equilibrium was found", "", "lines and the vessel do not come to rest together"};
 }
 
 /// At the upper end of a line with weight [N].
@@ -376,7 +397,8 @@ std::optional<StaticFailure> LinkedLines::bring_to(const LiftPosition& target) {
   if (!failure) failure = overstretched();
   if (!failure) {
     find_lengths();
-    return std::nullopt;
+    failure = let_float();
+    if (!failure) return std::nullopt;
   }
   if (welds) part();
   position_ = from;

@@ -15,6 +15,7 @@ struct LiftPosition {
   std::vector<double> lengths;                  ///< Unstressed [m].
   std::vector<std::optional<double>> tensions;  ///< At the upper end, in place of a length [N].
   VesselOffset vessel;
+  std::vector<VesselOffset> bodies;    ///< Of the other bodies of the model, in their order.
   std::vector<JoinDescription> joins;  ///< In the order in which they are made.
   double closed = 1.0;                 ///< Share of the gap of the last of them that is closed.
 };
@@ -47,8 +48,6 @@ class LinkedLines {
   int iterations() const { return iterations_; }
   /// What a run in time starts from.
   LinesAtRest at_rest() const;
-  /// Of the vessel at the position.
-  VesselPose vessel_pose() const;
 
  private:
   /// Two first ends held by a point of their own: the second's place and direction in its frame as they were before.
@@ -69,6 +68,7 @@ class LinkedLines {
   bool haul_to_tensions(const LiftPosition& target);
   std::optional<StaticFailure> overstretched() const;
   void find_lengths();
+  std::optional<StaticFailure> let_float();
 
   const Model* model_;
   LinesSetup setup_;
@@ -76,6 +76,7 @@ class LinkedLines {
   SystemState state_;
   LiftPosition position_;
   std::vector<Weld> welds_;
+  bool afloat_ = false;  ///< A vessel that floats free has been let go.
   double residual_ = 0.0;
   int iterations_ = 0;
 };

@@ -1,6 +1,7 @@
 // Lines that hold each other as a system, with a first guess of its shape.
 #include <algorithm>
 
+#include "model/bodies.h"
 #include "statics/initial_shape/cable_start.h"
 #include "statics/initial_shape/lying_shape.h"
 #include "statics/solver/linked_lines.h"
@@ -26,7 +27,7 @@ class LinkedSetup {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       if (!is_wire(lines_[i])) setup_.lines[i] = count++;
     }
-    setup_.system.bodies.resize(1);
+    setup_.system.bodies.resize(1 + model.description.bodies.size());
     setup_.system.lines.resize(to_size(count));
     setup_.system.attachments.resize(2 * to_size(count));
     setup_.start.resize(to_size(count));
@@ -159,7 +160,7 @@ class LinkedSetup {
 
   /// The body that an end is on, where need be made as a point of the other line.
   int body_of(const LineEndDescription& end) {
-    if (end.kind == LineEndKind::body) return static_cast<int>(kVessel);
+    if (end.kind == LineEndKind::body) return static_cast<int>(body_index(model_.description, end.body));
     if (end.kind != LineEndKind::line) return kGround;
     const int line = setup_.lines[index_of(lines_, end.line)];
     const Line& of = setup_.system.lines[to_size(line)];
@@ -208,7 +209,7 @@ class LinkedSetup {
   }
 
   void put_surroundings() {
-    setup_.system.surroundings = resting_surroundings(model_.mean_pose, setup_.system.attachments);
+    setup_.system.surroundings = resting_surroundings(body_poses(model_), setup_.system.attachments);
   }
 
   const Model& model_;

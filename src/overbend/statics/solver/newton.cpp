@@ -144,7 +144,7 @@ class NewtonSearch {
     const auto work_at = [&](double share) {
       ++report_.trials;
       equations_.advance(trial_, state_, dq_, share);
-      equations_.far_force(trial_) = equations_.far_force(state_) + force_step;
+      if (!state_.lines.empty()) equations_.far_force(trial_) = equations_.far_force(state_) + force_step;
       look(trial_, std::exchange(with_tangent, false));
       return equations_.work(dq_);
     };

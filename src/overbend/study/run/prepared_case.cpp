@@ -38,6 +38,7 @@ std::string stage_text(const LayStageDescription& stage, OperationType type) {
 std::vector<std::string> named_files(const Description& d) {
   std::vector<std::string> files = {d.vessel.motion_file, d.environment.waves.spectrum_file,
                                     d.environment.seabed.bathymetry_file};
+  for (const BodyDescription& body : d.bodies) files.push_back(body.hull.motion_file);
   if (d.vessel.coupled) {
     files.push_back(d.vessel.coupled->current.table_file);
     files.push_back(d.vessel.coupled->wind.table_file);
@@ -53,7 +54,7 @@ std::vector<std::string> named_files(const Description& d) {
 
 /// What the run in time does otherwise than statics of a hull alone lead one to think.
 void note_hull_in_time(const Description& description, StaticResults& statics) {
-  if (statics.moorings->operation == "moored" && !statics.moorings->stages.empty()) {
+  if (statics.moorings && statics.moorings->operation == "moored" && !statics.moorings->stages.empty()) {
     statics.findings.push_back(
         {FindingCode::stages_at_rest,
          "the stages of the operation are states at rest: the run in time starts from the rest before them"});
@@ -71,7 +72,7 @@ StaticResults statics_before_run(const Model& model, const ModelEquilibrium& equ
   const bool pipe = equilibrium.solution->has_pipe();
   if (pipe) note_history_effect(model, *equilibrium.solution, statics);
   tell_hull(model, statics);
-  if (!pipe && statics.moorings) note_hull_in_time(model.description, statics);
+  if (!pipe && (statics.moorings || hull_is_free(model.description))) note_hull_in_time(model.description, statics);
   return statics;
 }
 

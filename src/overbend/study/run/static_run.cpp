@@ -29,6 +29,7 @@ StaticResults unjudged_statics(const Model& model, const ModelEquilibrium& equil
   }
   results.moorings = equilibrium.moorings;
   if (!equilibrium.solution->has_pipe()) results.lines = equilibrium.lines;
+  results.bodies = equilibrium.bodies;
   results.lift = equilibrium.lift;
   return results;
 }

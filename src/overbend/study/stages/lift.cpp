@@ -6,7 +6,10 @@
 
 #include "base/version.h"
 #include "checks/run_checks.h"
+#include "model/bodies.h"
 #include "model/model_findings.h"
+#include "statics/moored/moored_lay.h"
+#include "statics/recovery/body_recovery.h"
 #include "statics/recovery/lift_findings.h"
 #include "statics/recovery/lift_recovery.h"
 #include "statics/recovery/lines_recovery.h"
@@ -36,7 +39,9 @@ StaticResults results_of(const Model& model, const LinkedLines& lines, const Joi
   results.assumptions = lift_assumptions(model);
   results.lines = recover_linked_lines(model, lines);
   results.lift = recover_lift(model, lines, join);
+  results.bodies = recover_bodies(model, lines.assembly(), lines.state());
   warn_of_lift(model, *results.lift, results.findings);
+  warn_of_wires(model, results.lines, results.findings);
   fill_checks(model, results);
   accept(results.findings, model.description.checks.accepted_findings);
   return results;
@@ -93,8 +98,16 @@ OperationResults solve_lift(const Description& description,
   results.title = description.title;
   results.version = kVersion;
   results.type = description.operation.type;
-  Lift lift(description);
   const std::vector<LayStageDescription>& stages = description.operation.lay.stages;
+  if (const std::optional<StaticFailure> obstacle = lines_obstacle(description)) {
+    for (const LayStageDescription& stage : stages) {
+      StageResult& refused = results.stages.emplace_back();
+      refused.stage = stage;
+      refused.failure = failure_of(*obstacle);
+    }
+    return results;
+  }
+  Lift lift(description);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     results.stages.push_back(lift.next(stages));
     if (told && !told(results.stages.back(), stages.size())) break;

@@ -1,0 +1,27 @@
+/// Other bodies than the lay vessel that lines are on: a tug, a second vessel, a platform.
+#pragma once
+
+#include <string>
+
+#include "base/vec.h"
+#include "model/description/vessel_description.h"
+
+namespace overbend {
+
+/// Of the size of a harbour tug.
+inline VesselDescription tug_hull() {
+  VesselDescription hull;
+  hull.length = 30.0;
+  hull.beam = 11.0;
+  hull.depth = 5.0;
+  hull.draught = 4.0;
+  return hull;
+}
+
+struct BodyDescription {
+  std::string name;
+  Vec3 place = Vec3::Zero();            ///< Of its origin, midship on its water line, W [m].
+  VesselDescription hull = tug_hull();  ///< Heading, heel, trim, sizes and motion, as of the vessel.
+};
+
+}  // namespace overbend
