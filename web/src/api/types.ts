@@ -55,6 +55,8 @@ export interface Scene {
   status: 'ok';
   /** Null where the model speaks of none. The pose is that of the vessel as described. */
   vessel: Vessel | null;
+  /** Those besides the vessel that lines are on, as described. */
+  bodies?: Vessel[];
   ramp: Structure[]; stinger: Structure[];
   /** Null without a pipe. */
   stern_shoe: Vector | null; tensioner: Vector | null;

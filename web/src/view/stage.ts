@@ -1,6 +1,6 @@
 // Everything that stands in the picture: brought up to a scene, a solution, and a moment of a run.
 import * as THREE from 'three';
-import type { Lay, LineParts, MooredState, Scene } from '../api/types';
+import type { Lay, LineParts, MooredState, Scene, Vessel } from '../api/types';
 import { partAt, partColours, type PartName } from '../logic/operation';
 import { TensionerArrow, type Machine } from './arrows';
 import { hull, slotDepth } from './hull';
@@ -48,6 +48,7 @@ export class Stage {
   dark = false;
   private readonly hullGroup = new THREE.Group();
   private readonly rigGroup = new THREE.Group();
+  private readonly bodiesGroup = new THREE.Group(); // hulls besides the vessel
   private readonly arrow = new TensionerArrow();
   private still = new THREE.Matrix4();
   private colouring: Colouring | null = null;
@@ -58,6 +59,7 @@ export class Stage {
   private stale = false; // scene, solution or colours have changed since they were drawn
   private hullKey = '';
   private rigKey = '';
+  private bodiesKey = '';
   private seaKey = '';
   private waves: Scene['waves'] | null = null;
 
@@ -65,7 +67,7 @@ export class Stage {
     this.afloat.matrixAutoUpdate = false;
     this.hullGroup.matrixAutoUpdate = false;
     this.afloat.add(this.hullGroup, this.rigGroup, this.rollers.group, this.flashGroup, this.arrow.group);
-    this.group.add(this.afloat, this.pipe.mesh, this.moorings.group, this.sea.group);
+    this.group.add(this.afloat, this.bodiesGroup, this.pipe.mesh, this.moorings.group, this.sea.group);
     this.group.visible = false;
   }
 
@@ -210,12 +212,25 @@ export class Stage {
       dispose(this.hullGroup);
       if (scene.vessel) this.hullGroup.add(hull(scene.vessel, slotDepth(scene, this.still)));
     }
+    this.buildBodies(scene.bodies ?? []);
     this.hullGroup.matrix.copy(this.still);
     this.hullGroup.matrixWorldNeedsUpdate = true;
     if (!dragging || this.seaKey === '' || scene.waves !== this.waves) this.placeSea();
     if (!dragging) {
       const moored = this.stage?.state ?? solution.moorings?.rest;
       this.labels = [...labelsOf(scene, solution), ...(moored ? this.moorings.labels(moored) : [])];
+    }
+  }
+
+  private buildBodies(bodies: Vessel[]): void {
+    const key = JSON.stringify(bodies);
+    if (key === this.bodiesKey) return;
+    this.bodiesKey = key;
+    dispose(this.bodiesGroup);
+    for (const body of bodies) {
+      const drawn = hull(body, () => null);
+      drawn.applyMatrix4(poseMatrix(body.pose));
+      this.bodiesGroup.add(drawn);
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include "dynamics/integrator/dynamics.h"
 #include "mechanics/sea.h"
+#include "model/bodies.h"
 #include "model/site/bed_shape.h"
 #include "model/vessel/station.h"
 #include "report/page/json_number.h"
@@ -18,11 +19,24 @@ Json where(bool there, const Vec3& place) {
   return there ? place_json(place) : Json(nullptr);
 }
 
+Json hull_box(const std::string& name, const VesselDescription& v, const VesselPose& pose) {
+  return {{"name", name},      {"length", v.length},   {"beam", v.beam},
+          {"height", v.depth}, {"draught", v.draught}, {"pose", pose_json(pose.p_WV, pose.R_WV)}};
+}
+
 Json vessel(const Model& model) {
   if (!has_vessel(model.description)) return nullptr;
   const VesselDescription& v = model.description.vessel;
-  return {{"name", v.name},    {"length", v.length},   {"beam", v.beam},
-          {"height", v.depth}, {"draught", v.draught}, {"pose", pose_json(model.mean_pose.p_WV, model.mean_pose.R_WV)}};
+  return hull_box(v.name, v, model.mean_pose);
+}
+
+/// Those besides the vessel, as described.
+Json bodies(const Model& model) {
+  Json list = Json::array();
+  for (const BodyDescription& body : model.description.bodies) {
+    list.push_back(hull_box(body.name, body.hull, body_pose(body)));
+  }
+  return list;
 }
 
 Json structure(const Model& model, Structure which) {
@@ -137,6 +151,7 @@ Json scene_json(const Model& model, std::optional<std::uint64_t> seed) {
   const BedSurface& bed = model.seabed.surface;
   return {{"status", "ok"},
           {"vessel", vessel(model)},
+          {"bodies", bodies(model)},
           {"ramp", structure(model, Structure::ramp)},
           {"stinger", structure(model, Structure::stinger)},
           {"stern_shoe", where(model.description.has_pipe, shoe)},
