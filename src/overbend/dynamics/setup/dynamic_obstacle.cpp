@@ -138,7 +138,9 @@ std::optional<StaticFailure> wire_obstacle(const Description& d) {
                    "line '" + on_hull->name + "': give another vessel.motion, or an end that is fixed");
   }
   const auto on_other = std::ranges::find_if(d.lines, [](const FreeLineDescription& line) {
-    const auto other = [](const LineEndDescription& end) { return end.kind == LineEndKind::body && !is_on_vessel(end); };
+    const auto other = [](const LineEndDescription& end) {
+      return end.kind == LineEndKind::body && !is_on_vessel(end);
+    };
     return other(line.first) || other(line.second);
   });
   if (d.has_pipe && on_other != d.lines.end()) {

@@ -24,19 +24,6 @@ std::size_t index_of(const std::vector<FreeLineDescription>& lines, const std::s
   return static_cast<std::size_t>(std::ranges::find(lines, name, &FreeLineDescription::name) - lines.begin());
 }
 
-/// What rounding of the places makes of the forces on a node, over the force scale of the line: its elements are stiff.
-double rounding_of(const Line& line, const std::vector<double>& q) {
-  constexpr double kOfPlace = 1e-15;  // of the furthest coordinate
-  double furthest = 1.0, stiffest = 0.0;
-  for (std::size_t node = 0; node < line.mesh.s.size(); ++node) {
-    for (std::size_t k = 0; k < 3; ++k) furthest = std::max(furthest, std::abs(q[6 * node + k]));
-  }
-  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
-    stiffest = std::max(stiffest, line.elements.EA[e] / line.mesh.length[e]);
-  }
-  return kOfPlace * furthest * stiffest / line.force_scale;
-}
-
 double mixed(double from, double to, double share) {
   return from + share * (to - from);
 }
