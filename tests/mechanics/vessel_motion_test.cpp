@@ -182,6 +182,26 @@ TEST(vessel_motion, phases_count_from_the_wave_at_the_wave_origin) {
               1e-13);
 }
 
+/// Two equal hulls in a swell that runs east: that which lies a wave further east moves alike, at half a wave the other
+/// way, and one that lies north by any way at the same time.
+TEST(body_motion, meets_the_wave_where_the_body_lies) {
+  const Model model = build_model(with_raos());
+  const Sea sea = make_sea({{1.25, 0.5, 0.0, 1.0, 0.0, 0.8}}, 89.0);
+  const double wave = 2.0 * kPi / sea.components[0].kx;
+  const VesselMotionModel vessel = make_vessel_motion(model, sea);
+  const auto heave = [&](const Vec3& place, double t) {
+    VesselPose pose = model.mean_pose;
+    pose.p_WV += place;
+    return vessel_motion(make_body_motion(model.description.vessel, pose, sea), t, {}).freedoms[2];
+  };
+  for (const double t : {0.0, 2.0, 5.5}) {
+    const double own = vessel_motion(vessel, t, {}).freedoms[2];
+    EXPECT_NEAR(heave(Vec3(wave, 0.0, 0.0), t), own, 1e-9) << t;
+    EXPECT_NEAR(heave(Vec3(0.5 * wave, 0.0, 0.0), t), -own, 1e-9) << t;
+    EXPECT_NEAR(heave(Vec3(0.0, 170.0, 0.0), t), own, 1e-9) << t;
+  }
+}
+
 TEST(vessel_motion, between_points_of_the_table_it_does_not_matter_from_where_phases_count) {
   // The barge's responses with phases that count from a crest at the stern: the same motion, between headings and
   // frequencies as at them.
