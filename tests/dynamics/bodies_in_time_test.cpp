@@ -1,7 +1,10 @@
 /// Lines on bodies that move by themselves, in time: against a closed form and against ends that move alike.
 #include <gtest/gtest.h>
 
+#include "hull/pose_shift.h"
+#include "statics/moored/moored_lay.h"
 #include "support/line_cases.h"
+#include "support/lines_for_moorings.h"
 
 namespace overbend {
 namespace {
@@ -122,6 +125,34 @@ TEST(bodies_in_time, are_told_of_by_their_motion_and_the_pull_of_lines) {
     EXPECT_LE(pull[i], 1.05 * tension[i]);
   }
   EXPECT_GT(tug.pull.max, tug.pull.mean);
+}
+
+/// Its pose at the end of a short run in waves.
+VesselPose pose_in_waves(const Description& d, const Model& model, const ModelEquilibrium& rest) {
+  DynamicOptions options = dynamic_options(model);
+  options.duration = 6.0;
+  options.build_up = 6.0;
+  options.output_step = 0.5;
+  options.seed = d.environment.waves.seed;
+  Simulation run(model, *rest.solution, 0.0, options);
+  EXPECT_TRUE(run.advance(run.end())) << run.failure()->what;
+  return run.now().vessel().pose;
+}
+
+TEST(hull_on_lines, goes_in_waves_as_on_mooring_lines) {
+  const Description d = testing::pushed_barge();
+  Model moored = build_model(d);
+  const ModelEquilibrium catenaries = solve_equilibrium(moored);
+  const Description alone = testing::on_lines(d, catenaries.moorings->rest.moorings);
+  Model lines = build_model(alone);
+  const ModelEquilibrium elements = solve_equilibrium(lines);
+  ASSERT_FALSE(elements.failure);
+  const auto wanted = shift_between(moored.drawn_pose, pose_in_waves(d, moored, catenaries));
+  const auto found = shift_between(lines.drawn_pose, pose_in_waves(alone, lines, elements));
+  // Two meshes of the lines, and steps that their errors choose; the hull heaves and surges by decimetres.
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k], wanted[k], 3e-3) << k;
+  for (std::size_t k = 3; k < 6; ++k) EXPECT_NEAR(found[k], wanted[k], 5e-5) << k;
+  EXPECT_GT(std::abs(wanted[4]), 5e-4);
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "modelfile/reading/yaml_reader.h"
 #include "statics/moored/moored_lay.h"
 #include "support/line_cases.h"
+#include "support/lines_for_moorings.h"
 
 namespace overbend {
 namespace {
@@ -190,35 +190,13 @@ TEST(vessel_on_a_rope, pulls_it_to_the_horizontal_tension_of_a_catenary) {
   EXPECT_NEAR((nodes.back().place - nodes.front().place).head<2>().norm(), rope_span(force), 2e-3);
 }
 
-/// The moored barge of the examples without current and friction, pushed and turned.
-Description pushed_barge() {
-  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/moored-barge.yaml").description.value();
-  d.environment.current.clear();
-  d.environment.seabed.friction_axial = d.environment.seabed.friction_lateral = 0.0;
-  for (LineTypeDescription& type : d.moorings->types) type.friction = 0.0;
-  for (MooringLineDescription& line : d.moorings->lines) {
-    line.segments[0].type.friction = 0.0;
-    line.segments[0].type.bending_stiffness = 10.0;
-  }
-  push(d, Vec3::Zero(), Vec3(20e3, 200e3, 0.0));
-  d.vessel.loads.back().moment = Vec3(0.0, 0.0, 3e6);
-  return d;
-}
-
 TEST(vessel_on_eight_lines, lies_as_on_mooring_lines_that_are_catenaries) {
-  Description d = pushed_barge();
+  const Description d = testing::pushed_barge();
   Model moored = build_model(d);
   const ModelEquilibrium catenaries = solve_equilibrium(moored);
   ASSERT_FALSE(catenaries.failure);
   const MooredState& wanted = catenaries.moorings->rest;
-  for (std::size_t i = 0; i < wanted.moorings.size(); ++i) {
-    LineEndDescription anchor = fixed(wanted.moorings[i].anchor_W);
-    anchor.kind = LineEndKind::bed;
-    d.lines.push_back(between(wanted.moorings[i].name, d.moorings->lines[i].segments[0].type, wanted.moorings[i].length,
-                              anchor, on_body("vessel", d.moorings->lines[i].fairlead)));
-  }
-  d.moorings.reset();
-  const ModelEquilibrium elements = solve_lines(build_model(d));
+  const ModelEquilibrium elements = solve_lines(build_model(testing::on_lines(d, wanted.moorings)));
   ASSERT_FALSE(elements.failure) << elements.failure->what;
   const BodyResult& vessel = found(elements, "vessel");
   // 0.3 mm and a thousandth of the turn are the elements'.
