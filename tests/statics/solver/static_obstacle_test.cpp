@@ -42,7 +42,7 @@ TEST(static_obstacle, nothing_beside_the_pipe_is_passed_over_in_silence) {
   EXPECT_FALSE(static_obstacle(d));
   d.lines.emplace_back();
   ASSERT_TRUE(static_obstacle(d));
-  EXPECT_NE(static_obstacle(d)->what.find("lines beside a pipe"), std::string::npos);
+  EXPECT_NE(static_obstacle(d)->what.find("a line beside the pipe"), std::string::npos);
 }
 
 }  // namespace

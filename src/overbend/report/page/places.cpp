@@ -113,7 +113,9 @@ std::string place_name(const StaticResults& results, double s) {
 }
 
 std::string place_name(const StaticResults& results, const CheckRow& row) {
-  return results.has_pipe() && is_on_pipe(row) ? place_name(results, row.s) : check_place(row);
+  if (results.has_pipe() && is_on_pipe(row)) return place_name(results, row.s);
+  const std::string place = check_place(row);
+  return place.substr(0, place.find(": "));  // a name; what follows explains the capacity
 }
 
 std::string along_pipe(const StaticResults& results, const CheckRow& row) {
