@@ -150,7 +150,7 @@ class Search {
       }
     }
     const MatrixXd here = holding(slopes, row, equals), before = holding(last_slopes_, row, equals);
-    const VectorXd change = (slopes.aim.row(row) - last_slopes_.aim.row(row)).transpose();
+    VectorXd change = (slopes.aim.row(row) - last_slopes_.aim.row(row)).transpose();
     if (here.cols() == 0) return change;
     return change - (here - before) * shortest_least_squares(here, slopes.aim.row(row).transpose());
   }

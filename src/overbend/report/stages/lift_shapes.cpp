@@ -54,8 +54,9 @@ class SideView {
     for (const LiftedWire& wire : lay.lift->davits) {
       add_curve(title + ", " + wire.name + " on " + wire.on, CurveLook::marks, colour).points = {point(wire.at.place)};
     }
-    if (lay.lift->join)
+    if (lay.lift->join) {
       add_curve(title + ", weld", CurveLook::marks, colour).points = {point(lay.lift->join->at.place)};
+    }
   }
 
   void add_surroundings(const std::optional<Description>& description) {

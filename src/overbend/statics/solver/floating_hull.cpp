@@ -166,8 +166,10 @@ StaticFailure not_at_rest() {
 bool rest_by_way_of_springs(const Vessel& vessel, double stiffest, const Freedoms& held, SystemState& state) {
   constexpr double kSofter = 0.1, kLeast = 1e-2;  // [N/m]
   const HullState drawn = state.bodies.front();
-  for (double stiffness = stiffest; stiffness > kLeast; stiffness *= kSofter) {
+  double stiffness = stiffest;
+  while (stiffness > kLeast) {
     if (!vessel.rest(stiffness, held, drawn, state)) return false;
+    stiffness *= kSofter;
   }
   return vessel.rest(0.0, held, drawn, state);
 }
