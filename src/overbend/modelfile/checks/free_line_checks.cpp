@@ -100,7 +100,9 @@ void check_link(Checker& check, const FieldValue& line, const FieldValue& end) {
   if (name->text == "pipe" && is_given(check.root(), "pipe")) return check_on_pipe(check, end);
   const FieldValue* other = find_line(check.root(), name->text);
   if (other == nullptr) {
-    check_name(check, *name, line_names(Checker::items(check.root(), "lines")), "lines");
+    std::vector<std::string> known = line_names(Checker::items(check.root(), "lines"));
+    if (is_given(check.root(), "pipe")) known.emplace_back("pipe");
+    check_name(check, *name, known, "lines");
     return;
   }
   if (other == &line) {

@@ -301,7 +301,7 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
     const MeshZones now = zones_of(at, from.zones, touchdown);
     const bool touches = touchdown.has_value();
     if (!touches && (model.description.pipe.length || pass == kMeshPasses - 1)) {
-      return fail(never_touches(model, at.system.mesh().total_length()));
+      return fail(with_lines(model, never_touches(model, at.system.mesh().total_length())));
     }
     if (touches && mesh_serves(at, from.zones, now)) {
       break;
