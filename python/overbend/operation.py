@@ -42,10 +42,10 @@ class Stage(Record):
         stands: Whether it has one.
     """
 
-    def __init__(self, operation: "OperationResults", number: int, told: dict[str, Any], units: dict[str, Any],
+    def __init__(self, operation: "OperationResults", number: int, content: dict[str, Any], units: dict[str, Any],
                  descriptions: dict[str, Any]):
         """Not for users: see OperationResults."""
-        super().__init__(told, units, descriptions)
+        super().__init__(content, units, descriptions)
         self._operation, self._number = operation, number
 
     @property
@@ -74,11 +74,11 @@ class LiftStage(Stage):
         stands, static: As of every stage.
     """
 
-    def __init__(self, operation: "OperationResults", number: int, told: dict[str, Any], units: dict[str, Any],
+    def __init__(self, operation: "OperationResults", number: int, content: dict[str, Any], units: dict[str, Any],
                  descriptions: dict[str, Any], source: Any):
         """Not for users: see OperationResults."""
-        super().__init__(operation, number, told, {**units, **named(_core.lift_units(), told)},
-                         {**descriptions, **named(_core.lift_descriptions(), told)})
+        super().__init__(operation, number, content, {**units, **named(_core.lift_units(), content)},
+                         {**descriptions, **named(_core.lift_descriptions(), content)})
         self._source = source
 
     @functools.cached_property
@@ -101,25 +101,25 @@ class OperationResults(Sequence[Stage]):
         """Not for users: see Model.operation() and overbend.open()."""
         self._core, self.model = core, model
         self.summary: dict[str, Any] = core.summary()
-        told = self.summary["operation"]
+        content = self.summary["operation"]
         self.title: str = self.summary.get("title", "")
-        self.type: str = told["type"]
+        self.type: str = content["type"]
         self.findings = findings_of(self.summary.get("findings", []))
         self.warnings: list[str] = self.summary.get("warnings", [])
         self.assumptions: list[str] = self.summary.get("assumptions", [])
         tree = core.tree()
-        self._stages = [self._stage(tree, number, one) for number, one in enumerate(told["stages"])]
+        self._stages = [self._stage(tree, number, one) for number, one in enumerate(content["stages"])]
 
-    def _stage(self, tree: Any, number: int, told: dict[str, Any]) -> Stage:
+    def _stage(self, tree: Any, number: int, content: dict[str, Any]) -> Stage:
         units, descriptions = dict(summary_units()["static"]), dict(summary_descriptions()["static"])
         units["checks"], descriptions["checks"] = summary_units().get("checks"), summary_descriptions().get("checks")
         group = f"/operation/stage_{number + 1:03}"
         for name in tree.names(group):
             if not name.endswith("/"):
                 _, units[name], descriptions[name], _, _ = tree.dataset(f"{group}/{name}")
-        if "davits" in told:
-            return LiftStage(self, number, told, units, descriptions, tree)
-        return Stage(self, number, told, units, descriptions)
+        if "davits" in content:
+            return LiftStage(self, number, content, units, descriptions, tree)
+        return Stage(self, number, content, units, descriptions)
 
     @functools.cache
     def _static(self, number: int) -> StaticResults:
@@ -159,8 +159,8 @@ class OperationResults(Sequence[Stage]):
     def worst(self) -> Optional[Record]:
         """The check that is used most at any stage, with `stage`, the name of that; None where none is judged."""
         worst = self.summary["checks"]["worst"]
-        told = summary_units()["checks"]["worst"], summary_descriptions()["checks"]["worst"]
-        return wrapped(worst, *told) if worst else None
+        content = summary_units()["checks"]["worst"], summary_descriptions()["checks"]["worst"]
+        return wrapped(worst, *content) if worst else None
 
     @functools.cached_property
     def table(self) -> Table:
@@ -192,7 +192,7 @@ class OperationResults(Sequence[Stage]):
         """Of a lift: of every line and davit what changes from stage to stage."""
         if not any(isinstance(stage, LiftStage) for stage in self):
             return {}
-        units, told = _core.lift_units(), _core.lift_descriptions()
+        units, content = _core.lift_units(), _core.lift_descriptions()
         columns = {}
         for group, paths in _OF_LIFT.items():
             for name in dict.fromkeys(name for stage in self for name in stage._values.get(group, {})):
@@ -200,7 +200,7 @@ class OperationResults(Sequence[Stage]):
                     found = [_below(stage._values, (group, name, *path)) for stage in self]
                     columns[".".join((name, *path))] = _Column(
                         [np.nan if v is None else v for v in found], _below(units, (group, "*", *path)),
-                        _below(told, (group, "*", *path)))
+                        _below(content, (group, "*", *path)))
         return columns
 
     def save(self, folder: PathLike) -> pathlib.Path:
