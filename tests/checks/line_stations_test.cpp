@@ -49,8 +49,10 @@ TEST(line_stations, of_a_run_in_which_nothing_moves_are_those_at_rest) {
   const CheckStations run = line_stations_in_time(lift.model, lift.results, still_run(lift, 1.0)).at(0);
   ASSERT_EQ(rest.stations.size(), run.stations.size());
   for (std::size_t i = 0; i < rest.stations.size(); ++i) {
-    EXPECT_NEAR(run.stations[i].largest_von_mises.value, rest.stations[i].largest_von_mises.value, 2e4);
-    EXPECT_NEAR(run.stations[i].load.value, rest.stations[i].load.value, 0.01);
+    // both sides of what hangs there, though a run keeps the tension of one; rounding of the moments is left
+    EXPECT_NEAR(run.stations[i].largest_von_mises.value, rest.stations[i].largest_von_mises.value, 1.0);
+    EXPECT_NEAR(run.stations[i].largest_tension.value, rest.stations[i].largest_tension.value, 1e-3);
+    EXPECT_NEAR(run.stations[i].load.value, rest.stations[i].load.value, 1e-6);
   }
 }
 

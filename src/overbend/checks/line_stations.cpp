@@ -38,9 +38,14 @@ struct LineRun {
     const auto found = std::ranges::find(*lines, name, &LineDynamics::name);
     return found == lines->end() ? nullptr : &*found;
   }
+  const std::vector<LineNodeResult>& rest_nodes(const std::string& name) const {
+    return std::ranges::find(*rest, name, &LineResult::name)->nodes;
+  }
+  /// Of a node, on the side whose tension the run kept [N].
+  double rest_tension(const std::string& name, std::size_t node) const { return rest_nodes(name)[node].tension; }
   /// The node of a line at an arc length.
   std::size_t node_at(const std::string& name, double s) const {
-    const std::vector<LineNodeResult>& nodes = std::ranges::find(*rest, name, &LineResult::name)->nodes;
+    const std::vector<LineNodeResult>& nodes = rest_nodes(name);
     const auto nearest =
         std::ranges::min_element(nodes, {}, [s](const LineNodeResult& node) { return std::abs(node.s - s); });
     return static_cast<std::size_t>(nearest - nodes.begin());
@@ -130,8 +135,9 @@ CheckStations make_stations(const Model& model, const LiftResults& lift, const L
     factor_static(station, check, combinations);
     if (moments) {
       const std::size_t k = run.node_at(line.name, station.s);
+      const double jump = station.force - run.rest_tension(line.name, k);  // at rest, to this side of what hangs there
       for (const double tension : {moved->least_at_nodes[k], moved->largest_at_nodes[k]}) {
-        add_run(moved->moment_at_nodes[k], tension, pipe, station);
+        add_run(moved->moment_at_nodes[k], tension + jump, pipe, station);
         factor_static(station, check, combinations);
       }
     }
