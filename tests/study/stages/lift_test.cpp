@@ -506,6 +506,18 @@ Description barge_on_a_wire(const std::string& load, const std::string& stages) 
       .description.value();
 }
 
+// It comes to where a short hawser reaches; held, it does not, and its tug is not where the barge is.
+TEST(lift, refuses_a_short_hawser_to_a_tug_where_the_barge_is_held) {
+  Description d = barge_on_a_wire("-300 kN", "{name: hauled, lengths: {hawser: 100 m}}");
+  EXPECT_FALSE(lift_obstacle(d));
+  d.vessel.hydrostatics.reset();
+  const std::optional<StaticFailure> failure = lift_obstacle(d);
+  ASSERT_TRUE(failure);
+  EXPECT_NE(failure->what.find("cannot reach"), std::string::npos) << failure->what;
+  d.operation.lay.stages[0].lengths[0].value = 180.0;
+  EXPECT_FALSE(lift_obstacle(d));
+}
+
 TEST(lift, of_a_barge_that_floats_free_hauls_it_to_its_tug_and_follows_the_tug) {
   const OperationResults results = solve(
       barge_on_a_wire("-300 kN", "{name: hauled, lengths: {hawser: 150 m}}, {name: ahead, bodies: {tug: {x: 40 m}}}"));

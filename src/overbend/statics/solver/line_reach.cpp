@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "base/shown_unit.h"
+#include "model/bodies.h"
+#include "model/vessel/station.h"
 
 namespace overbend {
 namespace {
@@ -34,7 +36,7 @@ double drawn_length(const FreeLineDescription& line) {
 class Reach {
  public:
   Reach(const Model& model, const LiftPosition& position)
-      : model_(model), lines_(model.description.lines), position_(position) {}
+      : model_(model), lines_(model.description.lines), position_(position), poses_(poses_at(model, position)) {}
 
   std::optional<StaticFailure> check(std::size_t i) const {
     const FreeLineDescription& line = lines_[i];
@@ -55,9 +57,14 @@ class Reach {
   }
 
  private:
+  /// Whether an end is somewhere: neither free nor on a vessel that floats to where its lines let it.
+  bool stays(const LineEndDescription& end) const {
+    return end.kind != LineEndKind::free && !(is_on_vessel(end) && hull_is_free(model_.description));
+  }
+
   /// Of an end on another line: by way of it the ends of that one which are held.
   std::vector<HeldPlace> held_places(const LineEndDescription& end) const {
-    if (end.kind == LineEndKind::free) return {};
+    if (!stays(end)) return {};
     if (end.kind != LineEndKind::line) return {{held_place(end), 0.0}};
     const auto other = std::ranges::find(lines_, end.line, &FreeLineDescription::name);
     const double drawn = drawn_length(*other);
@@ -66,7 +73,7 @@ class Reach {
     std::vector<HeldPlace> places;
     for (const auto& [held, way] :
          {std::pair{&other->first, end.arc_length}, {&other->second, drawn - end.arc_length}}) {
-      if (held->kind == LineEndKind::free || held->kind == LineEndKind::line) continue;
+      if (!stays(*held) || held->kind == LineEndKind::line) continue;
       places.push_back({held_place(*held), stretched * way});
     }
     return places;
@@ -74,13 +81,14 @@ class Reach {
 
   Vec3 held_place(const LineEndDescription& end) const {
     if (end.kind != LineEndKind::body) return end_place(model_, end);
-    const VesselPose pose = moved_pose(model_.mean_pose, position_.vessel);
+    const VesselPose& pose = poses_[body_index(model_.description, end.body)];
     return pose.p_WV + pose.R_WV * end.at;
   }
 
   const Model& model_;
   const std::vector<FreeLineDescription>& lines_;
   const LiftPosition& position_;
+  std::vector<VesselPose> poses_;
 };
 
 }  // namespace

@@ -102,6 +102,13 @@ VesselPose moved_pose(const VesselPose& pose, const VesselOffset& offset) {
   return moved;
 }
 
+std::vector<VesselPose> poses_at(const Model& model, const LiftPosition& position) {
+  std::vector<VesselPose> poses = body_poses(model);
+  poses.front() = moved_pose(poses.front(), position.vessel);
+  for (std::size_t i = 0; i < position.bodies.size(); ++i) poses[i + 1] = moved_pose(poses[i + 1], position.bodies[i]);
+  return poses;
+}
+
 LiftPosition drawn_position(const Description& description) {
   LiftPosition position;
   for (const FreeLineDescription& line : description.lines) {
@@ -233,10 +240,7 @@ void LinkedLines::put(const LiftPosition& position) {
       set_length(line, position.lengths[i]);
     }
   }
-  std::vector<VesselPose> poses = body_poses(*model_);
-  poses.front() = moved_pose(poses.front(), position.vessel);
-  for (std::size_t i = 0; i < position.bodies.size(); ++i) poses[i + 1] = moved_pose(poses[i + 1], position.bodies[i]);
-  setup_.system.surroundings = resting_surroundings(poses, setup_.system.attachments);
+  setup_.system.surroundings = resting_surroundings(poses_at(*model_, position), setup_.system.attachments);
 }
 
 bool LinkedLines::rest(const SystemState& laid) {

@@ -81,6 +81,9 @@ class LinkedLines {
   int iterations_ = 0;
 };
 
+/// Of the vessel, where it does not float free, and of the other bodies, as body_poses() has them.
+std::vector<VesselPose> poses_at(const Model& model, const LiftPosition& position);
+
 /// The position that a model has as drawn.
 LiftPosition drawn_position(const Description& description);
 
