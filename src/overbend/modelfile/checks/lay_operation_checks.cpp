@@ -10,14 +10,14 @@
 namespace overbend {
 namespace {
 
-using enum OperationType;
-
 bool cable_from_winch(OperationType type) {
+  using enum OperationType;
   return type == abandonment || type == recovery || type == lay_down;
 }
 
 /// The key of a stage that says how far the operation has gone.
 const char* progress_key(OperationType type) {
+  using enum OperationType;
   if (type == OperationType::ballast) return "ballast";
   if (type == start_up || drags_along_bed(type)) return "pipe_out";
   if (type == move) return "ahead";
@@ -41,6 +41,7 @@ void check_weights(Checker& check, const FieldValue& body, const char* what) {
 }
 
 void check_cable(Checker& check, const FieldValue& operation, OperationType type) {
+  using enum OperationType;
   const FieldValue* cable = operation.find("cable");
   if (cable == nullptr) return;
   check_weights(check, *cable, "a cable");
@@ -165,6 +166,7 @@ void check_line_length(Checker& check, const FieldValue& operation) {
 
 /// The stages of a recovery stand in the file as those of the abandonment.
 void check_order(Checker& check, OperationType type, const FieldValue& stages) {
+  using enum OperationType;
   if (type != recovery || stages.children.size() < 2) return;
   const auto first = stages.children.front().get_number("cable_out");
   const auto last = stages.children.back().get_number("cable_out");
@@ -184,6 +186,7 @@ void only_with(Checker& check, const FieldValue& program, const char* key, Stage
 }
 
 void check_program(Checker& check, const FieldValue& operation, OperationType type, const FieldValue& program) {
+  using enum OperationType;
   const FieldValue *from = program.find("from"), *to = program.find("to");
   if (from != nullptr && to != nullptr && from->number == to->number) {
     check.error(*to, to->shown, "another length than from, " + from->shown);
@@ -257,6 +260,7 @@ void check_stages(Checker& check, const FieldValue& operation, OperationType typ
 }  // namespace
 
 void check_lay_operation(Checker& check, const FieldValue& operation, OperationType type) {
+  using enum OperationType;
   if (!check.root().mentions("pipe")) {
     check.missing(check.root(), "pipe", "a group of keys", "the operation is one of the line");
   }

@@ -8,8 +8,6 @@
 namespace overbend {
 namespace {
 
-using enum OperationType;
-
 /// A key below `operation`, or of one of its stages, that only some types have.
 struct KeyOwners {
   const char* key;
@@ -17,6 +15,7 @@ struct KeyOwners {
 };
 
 const std::vector<KeyOwners>& operation_keys() {
+  using enum OperationType;
   static const std::vector<KeyOwners> kKeys = {
       {"speed", {pull_ahead}},
       {"acceleration_time", {pull_ahead}},
@@ -45,6 +44,7 @@ const std::vector<KeyOwners>& operation_keys() {
 }
 
 const std::vector<KeyOwners>& stage_keys() {
+  using enum OperationType;
   static const std::vector<OperationType> kOnTheLine = {abandonment, recovery, lay_down,   start_up, move,
                                                         passage,     ballast,  shore_pull, hold_back};
   static const std::vector<KeyOwners> kKeys = {
@@ -105,6 +105,7 @@ void check_anchor_move(Checker& check, const FieldValue& operation, const std::v
 
 /// Operations of a moored vessel; one that is led may move without lines.
 void check_moored_operation(Checker& check, const FieldValue& operation, OperationType type) {
+  using enum OperationType;
   const std::vector<FieldValue>& lines = Checker::items(check.root(), "moorings.lines");
   if (type == anchor_move) check_anchor_move(check, operation, lines);
   const bool led = type == pull_ahead && check.root().mentions("pipe") && !hull_floats(check.root());
@@ -123,6 +124,7 @@ void check_moored_operation(Checker& check, const FieldValue& operation, Operati
 }  // namespace
 
 void check_operation(Checker& check) {
+  using enum OperationType;
   const FieldValue* operation = check.root().find("operation");
   if (operation == nullptr || !operation->given) return;
   check_unique_names(check, Checker::items(*operation, "stages"), "stage");

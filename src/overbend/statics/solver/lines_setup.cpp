@@ -21,7 +21,7 @@ bool lies_at(const FreeLineDescription& line, const LineEndDescription& end) {
 }
 
 /// Pipe that is led along the bed lies at rest where it is held: on its underside, as deep as it sinks in.
-void lay_down(const Model& model, double radius, Attachment& held) {
+void rest_on_bed(const Model& model, double radius, Attachment& held) {
   const Vec3 normal = model.seabed.surface.normal(held.place.x(), held.place.y());
   held.place += radius / normal.z() * Vec3::UnitZ();
   held.direction = (held.direction - normal.dot(held.direction) * normal).normalized();
@@ -109,9 +109,9 @@ LinesSetup setup_on(const Model& model, const std::vector<std::vector<FineStretc
     system.attachments.push_back(attachment_of(model, line.first, number, LineEnd::first));
     system.attachments.push_back(attachment_of(model, line.second, number, LineEnd::last));
     const LineElements& elements = system.lines.back().elements;
-    if (lies_at(line, line.first)) lay_down(model, elements.radius.front(), *(system.attachments.end() - 2));
+    if (lies_at(line, line.first)) rest_on_bed(model, elements.radius.front(), *(system.attachments.end() - 2));
     if (lies_at(line, line.second)) {
-      lay_down(model, elements.radius[static_cast<std::size_t>(elements.count) - 1], system.attachments.back());
+      rest_on_bed(model, elements.radius[static_cast<std::size_t>(elements.count) - 1], system.attachments.back());
     }
     ++number;
   }
