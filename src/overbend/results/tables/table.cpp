@@ -1,0 +1,132 @@
+#include "results/tables/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "results/result_words.h"
+
+namespace overbend {
+namespace {
+
+std::string number_text(const TableColumn& column, double value) {
+  return shown_number(value * column.factor, ShownUnit{}, column.digits);
+}
+
+/// In the unit of its column, with two decimals more than are shown.
+Json number_json(const TableColumn& column, double value) {
+  if (!std::isfinite(value)) return nullptr;
+  const double scale = std::pow(10.0, column.digits + 2);
+  const double shown = value * column.factor, rounded = std::round(shown * scale) / scale;
+  if (!std::isfinite(rounded)) return shown;
+  return rounded == 0.0 ? Json(0) : Json(rounded);
+}
+
+Json column_json(const TableColumn& column) {
+  Json json = {{"title", column.title}};
+  if (!column.unit.empty()) json["unit"] = column.unit;
+  if (column.words) {
+    json["words"] = true;
+  } else {
+    json["digits"] = column.digits;
+  }
+  return json;
+}
+
+Json cell_json(const TableColumn& column, const TableCell& cell) {
+  if (const auto* number = std::get_if<double>(&cell)) return number_json(column, *number);
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* verdict = std::get_if<VerdictCell>(&cell)) {
+    return {{"verdict", word(verdict->kind)}, {"text", verdict->text}};
+  }
+  return nullptr;
+}
+
+Json row_json(const Table& table, const TableRow& row) {
+  Json cells = Json::array();
+  for (std::size_t i = 0; i < row.cells.size(); ++i) cells.push_back(cell_json(table.columns[i], row.cells[i]));
+  return cells;
+}
+
+/// Letters, not bytes: a character of UTF-8 has one byte that does not go on from another.
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string padded(const std::string& text, std::size_t width, bool left) {
+  const std::string room(width - letters(text), ' ');
+  return left ? text + room : room + text;
+}
+
+}  // namespace
+
+TableColumn::TableColumn(std::string heading, const ShownUnit& shown, int decimals)
+    : title(std::move(heading)),
+      unit(shown.name),
+      factor(shown.factor),
+      digits(std::max(0, decimals + shown.more)) {}
+
+TableColumn::TableColumn(std::string heading, std::string_view si, int decimals)
+    : TableColumn(std::move(heading), shown_unit(si), decimals) {}
+
+Table& Table::row(std::vector<TableCell> cells, RowMark mark) {
+  rows.push_back({std::move(cells), mark});
+  return *this;
+}
+
+std::string title_with_unit(const TableColumn& column) {
+  return column.unit.empty() ? column.title : column.title + " [" + column.unit + "]";
+}
+
+std::string cell_text(const TableColumn& column, const TableCell& cell) {
+  if (const auto* number = std::get_if<double>(&cell)) return number_text(column, *number);
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* verdict = std::get_if<VerdictCell>(&cell)) return verdict->text;
+  return "";
+}
+
+Json table_json(const Table& table) {
+  Json json = {{"title", table.title}, {"look", table.look}, {"columns", Json::array()}, {"rows", Json::array()}};
+  for (const TableColumn& column : table.columns) json["columns"].push_back(column_json(column));
+  for (const auto& [title, span] : table.groups) json["groups"].push_back({title, span});
+  for (const TableRow& row : table.rows) json["rows"].push_back(row_json(table, row));
+  const bool marked = std::any_of(table.rows.begin(), table.rows.end(),
+                                  [](const TableRow& row) { return row.mark != RowMark::none; });
+  if (marked) {
+    for (const TableRow& row : table.rows) json["marks"].push_back(name(row.mark));
+  }
+  return json;
+}
+
+std::string table_text(const Table& table, int indent) {
+  const std::size_t count = table.columns.size();
+  std::vector<std::vector<std::string>> lines(1);
+  for (const TableColumn& column : table.columns) {
+    lines.front().push_back(column.unit.empty() ? column.title : column.title + " " + column.unit);
+  }
+  for (const TableRow& row : table.rows) {
+    std::vector<std::string>& line = lines.emplace_back(count);
+    for (std::size_t i = 0; i < row.cells.size(); ++i) line[i] = cell_text(table.columns[i], row.cells[i]);
+  }
+  std::string text;
+  for (const std::vector<std::string>& line : lines) {
+    std::string written(static_cast<std::size_t>(indent), ' ');
+    for (std::size_t i = 0; i < count; ++i) {
+      std::size_t width = 0;
+      for (const std::vector<std::string>& other : lines) width = std::max(width, letters(other[i]));
+      written += (i == 0 ? "" : "  ") + padded(line[i], width, table.columns[i].words);
+    }
+    text += written.substr(0, written.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+const char* name(RowMark mark) {
+  constexpr std::array<const char*, 5> kNames = {"", "over", "soft", "total", "loaded"};
+  return kNames[static_cast<std::size_t>(mark)];
+}
+
+}  // namespace overbend
