@@ -1,6 +1,6 @@
 # Turns files into a C++ source with their bytes: cmake -DOUT=x.cpp "-DFILES=name=path|name=path" -P embed.cmake
 # Hexadecimal, because CMake's own text functions change semicolons and brackets.
-set(body "// Made by report/embed.cmake from the files of report/; do not edit.\n#include \"report/page/assets.h\"\n\nnamespace overbend {\nnamespace {\n\n")
+set(body "// Made by report/embed.cmake; do not edit.\n#include \"report/page/assets.h\"\n\nnamespace overbend {\nnamespace {\n\n")
 set(table "")
 string(REPLACE "|" ";" FILES "${FILES}")
 foreach(entry IN LISTS FILES)

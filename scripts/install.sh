@@ -22,7 +22,7 @@ test_packages=(
 )
 arm_packages=(g++-aarch64-linux-gnu qemu-user libeigen3-dev)
 
-# The report's charting library comes from npm. An npm that is already there, from wherever, is good enough; asking apt
+# The packages of page and report come from npm. An npm that is already there, from wherever, is good enough; asking apt
 # for another beside it may conflict.
 if ! command -v npm >/dev/null; then
   build_packages+=(nodejs npm)

@@ -46,7 +46,7 @@ MAY_INCLUDE = {
 # room itself: what stands above all of its sub-rooms.
 SUB_ROOMS = {
     "model": ["waves", "description", "pipe", "site", "vessel", ""],
-    "results": ["", "fields"],
+    "results": ["", "fields", "tables"],
     "statics": ["initial_shape", "equations", "solver", "stinger", "recovery", "moored"],
     "dynamics": ["machines", "integrator", "setup", "run"],
     "modelfile": ["schema", "fields", "binding", "checks", "yaml", "reading", "study_file"],

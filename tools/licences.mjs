@@ -1,8 +1,9 @@
-// Licence texts of the npm packages that go into the program: node licences.mjs [--before FILE] OUT FOLDER...
+// Licence texts of the npm packages that go into the program:
+//   node licences.mjs [--before FILE] [--of PACKAGES] OUT FOLDER...
 //
 // Each FOLDER holds a package.json and its node_modules; its `dependencies`, and theirs, are what is bundled. Equal texts
-// are told once. With --before, OUT is FILE with the texts before it as a comment. A package without a licence text is a
-// fault: nothing may be passed on without one.
+// are written once. With --before, OUT is FILE with the texts before it as a comment; with --of, only packages that are
+// named in the lines of PACKAGES are meant. A package without a licence text is an error: nothing may be passed on without.
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 
@@ -39,10 +40,11 @@ function textOf(folder) {
   return read(join(folder, file)).replaceAll('\r\n', '\n').trim();
 }
 
-function sections(folders) {
+function sections(folders, named) {
   const byText = new Map();
   for (const folder of folders) {
     for (const [at, { name, version, license }] of collect(folder, new Map())) {
+      if (named !== null && !named.has(name)) continue;
       const text = textOf(at);
       const title = `${name} ${version} (${license})`;
       byText.set(text, (byText.get(text) ?? new Set()).add(title));
@@ -53,7 +55,9 @@ function sections(folders) {
 }
 
 const words = process.argv.slice(2);
-const before = words[0] === '--before' ? words.splice(0, 2)[1] : null;
+const option = (name) => (words[0] === name ? words.splice(0, 2)[1] : null);
+const before = option('--before');
+const packages = option('--of');
 const [out, ...folders] = words;
-const text = sections(folders);
+const text = sections(folders, packages === null ? null : new Set(read(packages).split('\n')));
 writeFileSync(out, before === null ? text : `/*!\n${text.replaceAll('*/', '* /')}*/\n${read(before)}`);

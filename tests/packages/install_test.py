@@ -71,7 +71,7 @@ class Installed(unittest.TestCase):
 
     def test_licences_of_what_is_compiled_in_are_there(self):
         text = (self.documents / "copyright").read_text(encoding="utf-8")
-        for name in ("Overbend developers", "Eigen", "CLI11", "pybind11", "d3 "):
+        for name in ("Overbend developers", "Eigen", "CLI11", "pybind11", "preact "):
             self.assertIn(name, text)
 
     def test_a_component_may_be_installed_alone(self):

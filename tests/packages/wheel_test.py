@@ -179,7 +179,7 @@ class BackEnd(unittest.TestCase):
             names = set(archive.getnames())
         top = f"overbend-{build_backend.version()}"
         for name in ("PKG-INFO", "pyproject.toml", "packages/build_backend.py", "CMakeLists.txt",
-                     "web/package-lock.json", "report/package-lock.json", "python/overbend/__init__.py"):
+                     "web/package-lock.json", "python/overbend/__init__.py"):
             self.assertIn(f"{top}/{name}", names)
         self.assertFalse([name for name in names if name.startswith((f"{top}/build/", f"{top}/.git/"))])
 

@@ -1,6 +1,5 @@
 /// Writes the report of made-up results: dynamic_page FILE.html
 /// rough|calm|jlay|moored|moored_in_time|moorings|pull_ahead|lines|abandonment|start_up|study_SHAPE
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -52,7 +51,7 @@ int main(int count, char** words) {
       {"jlay", [](const std::string& file) { write_lay("jlay", file); }},
       {"moored", [](const std::string& file) { write_lay("moored", file); }},
       {"moorings", [](const std::string& file) { write_moorings(synthetic_stages(), file); }},
-      {"moored_in_time", [](const std::string& file) { std::ofstream(file) << moored_page_in_time(); }},
+      {"moored_in_time", [](const std::string& file) { write_page(moored_document_in_time(), file); }},
       {"pull_ahead", [](const std::string& file) { write_moorings(synthetic_pull_ahead(), file); }},
       {"lines",
        [](const std::string& file) {

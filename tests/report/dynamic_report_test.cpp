@@ -7,8 +7,8 @@
 #include <set>
 
 #include "base/json.h"
+#include "base/shown_unit.h"
 #include "report/bgl1_results.h"
-#include "report/page/html.h"
 #include "report/page/quantity.h"
 #include "report/page_text.h"
 #include "report/report.h"
@@ -20,37 +20,34 @@ namespace {
 
 using testing::bgl1;
 using testing::count;
+using testing::row_count;
+using testing::section_body;
+using testing::section_text;
+using testing::shown_text;
 using testing::synthetic_dynamics;
-using testing::visible;
 
 const DynamicResults& example() {
   static const DynamicResults kResults = synthetic_dynamics(bgl1().results);
   return kResults;
 }
 
-std::string page_of(const DynamicResults& results) {
-  return report_html(bgl1().results, results, bgl1().model_text);
+Document document_of(const DynamicResults& results) {
+  return report_document(bgl1().results, results, bgl1().model_text);
 }
 
 Json data_of(const DynamicResults& results) {
   return report_data(bgl1().results, &results)["dynamic"];
 }
 
-/// The section with this id.
-std::string section(const std::string& page, const std::string& id) {
-  const std::size_t at = page.find("<section id=\"" + id + "\"");
-  return at == std::string::npos ? "" : page.substr(at, page.find("</section>", at) - at);
-}
-
 TEST(dynamic_report, stands_alone_and_stays_below_a_size_that_mail_carries) {
-  const std::string page = page_of(example());
+  const std::string page = page_text(document_of(example()));
   EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)\s*=\s*["']?\s*(https?:|//))")));
-  EXPECT_LT(page.size(), 2'000'000u);
+  EXPECT_LT(page.size(), 900'000u);
 }
 
 TEST(dynamic_report, gives_the_extremes_of_mooring_lines_a_table_of_their_own) {
   DynamicResults results = example();
-  EXPECT_EQ(page_of(results).find("extremes of the mooring lines"), std::string::npos);
+  EXPECT_EQ(shown_text(document_of(results)).find("extremes of the mooring lines"), std::string::npos);
   results.extremes.push_back({"mooring/port bow/fairlead_tension",
                               "N",
                               false,
@@ -72,7 +69,7 @@ TEST(dynamic_report, gives_the_extremes_of_mooring_lines_a_table_of_their_own) {
                               {},
                               {},
                               true});
-  const std::string page = page_of(results);
+  const std::string page = shown_text(document_of(results));
   const std::size_t lay = page.find("Most probable extremes in three hours");
   const std::size_t lines = page.find("Most probable extremes of the mooring lines in three hours");
   ASSERT_NE(lines, std::string::npos);
@@ -81,116 +78,105 @@ TEST(dynamic_report, gives_the_extremes_of_mooring_lines_a_table_of_their_own) {
 }
 
 TEST(dynamic_report, says_in_its_head_what_sea_and_motion_it_ran_in) {
-  const std::string page = page_of(example());
-  const std::string head = page.substr(page.find("<header>"), page.find("</header>") - page.find("<header>"));
+  const std::string head = testing::front_text(document_of(example()).front);
   EXPECT_NE(head.find("Dynamic pipelay analysis"), std::string::npos);
   EXPECT_NE(head.find("JONSWAP, Hs 4 m, Tp 12.9 s, gamma 1 by rule, from 180 deg, long-crested"), std::string::npos);
   EXPECT_NE(head.find("RAOs of rao.csv"), std::string::npos);
   EXPECT_NE(head.find("60 min after a build-up of 60 s"), std::string::npos);
   EXPECT_NE(head.find("generalized-alpha"), std::string::npos);
-  EXPECT_NE(head.find("<dt>Seed</dt><dd>7</dd>"), std::string::npos);
+  EXPECT_NE(head.find("Seed | 7\n"), std::string::npos);
 }
 
 TEST(dynamic_report, sets_static_beside_dynamic_in_its_key_results) {
-  const std::string text = section(page_of(example()), "results");
+  const std::string text = section_text(document_of(example()), "results");
   const StaticResults& statics = bgl1().results;
   for (const double stress : {statics.overbend->von_mises.value, example().overbend.von_mises.over_time.max,
                               statics.sagbend.von_mises.value, example().sagbend.von_mises.over_time.max}) {
-    EXPECT_NE(text.find("<td>" + html::fixed(stress / 1e6, 1) + "</td>"), std::string::npos) << stress;
+    EXPECT_NE(text.find(fixed(stress / 1e6, 1)), std::string::npos) << stress;
   }
-  EXPECT_NE(text.find(html::fixed(example().top_tension.min / 1e3, 1) + " to " +
-                      html::fixed(example().top_tension.max / 1e3, 1)),
+  EXPECT_NE(text.find(fixed(example().top_tension.min / 1e3, 1) + " to " + fixed(example().top_tension.max / 1e3, 1)),
             std::string::npos);
-  EXPECT_NE(section(page_of(example()), "run").find(html::fixed(100.0 * example().energy.drift(), 4)),
+  EXPECT_NE(section_text(document_of(example()), "run").find(fixed(100.0 * example().energy.drift(), 4)),
             std::string::npos);
 }
 
 TEST(dynamic_report, sets_the_energy_of_a_free_hull_into_the_balance_that_it_sums_up) {
   DynamicResults results = example();
-  EXPECT_EQ(section(page_of(results), "run").find("floats"), std::string::npos);
+  EXPECT_EQ(section_text(document_of(results), "run").find("floats"), std::string::npos);
   results.energy = {};
   results.energy.kinetic = 2e3;
   results.energy.fluid = 3e3;
   results.energy.bodies = 40e3;
   results.energy.on_bodies = 38.5e3;
   results.energy.error = 0.5e3;
-  const std::string text = section(page_of(results), "run");
+  const std::string text = section_text(document_of(results), "run");
   for (const char* number : {"38.500", "41.500", "40.000", "42.000", "0.500"}) {  // work, in all; stored, in all; error
-    EXPECT_NE(text.find(std::string("<td>") + number + "</td>"), std::string::npos) << number;
+    EXPECT_NE(text.find(std::string("| ") + number), std::string::npos) << number;
   }
 }
 
 TEST(dynamic_report, holds_the_static_report_too) {
-  const std::string text = visible(page_of(example()));
+  const Document document = document_of(example());
   for (const char* id : {"static-results", "figures", "summary", "supports", "inputs", "assumptions", "balance"}) {
-    EXPECT_NE(section(text, id), "") << id;
+    EXPECT_NE(section_text(document, id), "") << id;
   }
-  EXPECT_EQ(count(text, "data-figure=\"mises\""), 2u);
+  const std::vector<std::string> all = testing::panels(document.body.json());
+  EXPECT_EQ(std::ranges::count_if(all, [](const std::string& panel) { return panel.starts_with("mises/"); }), 2);
   // Assumptions of both, each once.
   for (const std::string& assumption : texts(example().assumptions)) {
-    EXPECT_EQ(count(section(text, "assumptions"), html::escape(assumption)), 1u) << assumption;
-  }
-}
-
-TEST(dynamic_report, numbers_its_figures_without_a_gap) {
-  const std::string text = visible(page_of(example()));
-  const std::size_t figures = count(text, "<figcaption>");
-  ASSERT_GT(figures, 20u);
-  for (std::size_t i = 1; i <= figures; ++i) {
-    EXPECT_EQ(count(text, "<figcaption>Figure " + std::to_string(i) + ". "), 1u) << i;
+    EXPECT_EQ(count(section_text(document, "assumptions"), assumption), 1u) << assumption;
   }
 }
 
 TEST(dynamic_report, has_no_two_sections_of_one_name) {
-  const std::string text = visible(page_of(example()));
-  const std::regex id("<section id=\"([^\"]+)\"");
   std::set<std::string> seen;
-  for (auto at = std::sregex_iterator(text.begin(), text.end(), id); at != std::sregex_iterator(); ++at) {
-    EXPECT_TRUE(seen.insert((*at)[1]).second) << (*at)[1];
-  }
+  for (const std::string& id : testing::section_ids(document_of(example()))) EXPECT_TRUE(seen.insert(id).second) << id;
 }
 
 TEST(dynamic_report, has_a_line_for_every_box_and_every_roller) {
-  const std::string page = page_of(example());
+  const Document document = document_of(example());
   std::size_t rollers = 0;
   for (const SupportDynamics& box : example().supports) rollers += box.rollers.size();
-  EXPECT_EQ(count(section(page, "dynamic-supports"), "<tr"), example().supports.size() + 2);  // and two lines of head
-  EXPECT_EQ(count(section(page, "dynamic-rollers"), "<tr"), rollers + 2);
+  EXPECT_EQ(row_count(section_body(document, "dynamic-supports")), example().supports.size());
+  EXPECT_EQ(row_count(section_body(document, "dynamic-rollers")), rollers);
 }
 
 TEST(dynamic_report, prints_the_twenty_hardest_impacts_and_folds_the_rest) {
-  const std::string text = section(page_of(example()), "impacts");
-  const std::size_t split = text.find("<details class=\"print-not\">");
-  ASSERT_NE(split, std::string::npos);
-  EXPECT_EQ(count(text.substr(0, split), "<tr"), 21u);
-  EXPECT_EQ(count(text.substr(split), "<tr"), example().hardest_impacts.size() - 20 + 1);
+  const Json body = section_body(document_of(example()), "impacts");
+  const auto folded = std::ranges::find_if(body, [](const Json& block) { return block["kind"] == "folded"; });
+  ASSERT_NE(folded, body.end());
+  EXPECT_FALSE((*folded)["printed"].get<bool>());
+  EXPECT_EQ(row_count((*folded)["body"]), example().hardest_impacts.size() - 20);
+  EXPECT_EQ(row_count(body), example().hardest_impacts.size());
 }
 
 TEST(dynamic_report, of_a_calm_run_claims_no_impacts_and_no_fits) {
-  const std::string text = visible(page_of(synthetic_dynamics(bgl1().results, true)));
+  const Document document = document_of(synthetic_dynamics(bgl1().results, true));
+  const std::string text = shown_text(document);
   EXPECT_NE(text.find("The pipe never lands on a roller after leaving it."), std::string::npos);
-  EXPECT_EQ(text.find("data-figure=\"impacts\""), std::string::npos);
+  for (const std::string& panel : testing::panels(document.body.json())) EXPECT_FALSE(panel.starts_with("impacts/"));
   EXPECT_NE(text.find("fewer than 30 peaks"), std::string::npos);
-  EXPECT_NE(text.find("<div class=\"name\">Rollers that lose contact</div><div class=\"value\">0 "), std::string::npos);
+  EXPECT_NE(text.find("Rollers that lose contact | 0 | "), std::string::npos);
 }
 
 TEST(dynamic_report, marks_the_tile_of_stress_beyond_yield_and_only_then) {
   DynamicResults results = example();
-  EXPECT_EQ(page_of(results).find("class=\"tile over\"><div class=\"name\">Overbend von Mises"), std::string::npos);
+  EXPECT_EQ(shown_text(document_of(results)).find("over: Overbend von Mises"), std::string::npos);
   results.overbend.von_mises.over_time.max = 2.0 * bgl1().results.stations.back().yield_stress;
-  const std::string page = page_of(results);
+  const std::string page = shown_text(document_of(results));
   EXPECT_NE(page.find("200.0 % of yield, at "), std::string::npos);
-  EXPECT_NE(page.find("<div class=\"tile over\"><div class=\"name\">Overbend von Mises"), std::string::npos);
+  EXPECT_NE(page.find("over: Overbend von Mises"), std::string::npos);
 }
 
 TEST(dynamic_report, lists_the_boxes_that_the_pipe_left_in_the_order_of_time) {
   DynamicResults results = example();
-  EXPECT_EQ(page_of(results).find("left over their sides"), std::string::npos);
+  EXPECT_EQ(shown_text(document_of(results)).find("left over their sides"), std::string::npos);
   results.supports[0].left_to_starboard = 12.0;
   results.supports[1].left_to_port = 3.0;
   const std::string first = results.supports[1].name, second = results.supports[0].name;
-  EXPECT_NE(page_of(results).find("<p>The pipe left over their sides: " + first + " to port at t = 3.0 s, " + second +
-                                  " to starboard at t = 12.0 s.</p>"),
+  EXPECT_NE(shown_text(document_of(results))
+                .find("The pipe left over their sides: " + first + " to port at t = 3.0 s, " + second +
+                      " to starboard at t = 12.0 s."),
             std::string::npos);
 }
 
@@ -202,7 +188,7 @@ TEST(dynamic_report, hostile_words_of_the_user_are_harmless) {
   results.supports.front().name = attack;
   results.histories.front().name = "support/" + attack + "/reaction";
   results.run.integrator = attack;
-  const std::string page = page_of(results);
+  const std::string page = page_text(document_of(results));
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);
   EXPECT_EQ(page.find("<img"), std::string::npos);
 }
@@ -212,12 +198,13 @@ TEST(dynamic_report, without_supports_shows_no_empty_overbend) {
   statics.supports.clear();
   statics.overbend.reset();
   statics.stinger_tip_clearance.reset();
-  const std::string text = visible(report_html(statics, synthetic_dynamics(statics), ""));
-  EXPECT_EQ(text.find("data-part=\"overbend\""), std::string::npos);
-  EXPECT_EQ(text.find("data-part=\"reactions\""), std::string::npos);
-  EXPECT_EQ(section(text, "dynamic-supports"), "");
-  EXPECT_EQ(section(text, "impacts"), "");
-  EXPECT_EQ(text.find("Overbend von Mises"), std::string::npos);
+  const Document document = report_document(statics, synthetic_dynamics(statics), "");
+  for (const std::string& panel : testing::panels(document.body.json())) {
+    EXPECT_FALSE(panel.ends_with("/overbend") || panel.ends_with("/reactions")) << panel;
+  }
+  EXPECT_EQ(section_text(document, "dynamic-supports"), "");
+  EXPECT_EQ(section_text(document, "impacts"), "");
+  EXPECT_EQ(shown_text(document).find("Overbend von Mises"), std::string::npos);
 }
 
 TEST(dynamic_report, is_written_as_a_file) {
@@ -264,13 +251,13 @@ TEST(dynamic_report, tells_an_extreme_alike_in_card_table_and_figure) {
   results.top_tension = {77.9e3, 416.0e3, 249.2e3, 66.0e3};  // of every step; the rows of the history miss the ends
   results.overbend.von_mises.over_time = {318.2e6, 359.3e6, 334.0e6, 6.1e6};
   for (ExtremeEstimate& e : results.extremes) e.observed = 0.9 * e.observed;
-  const std::string page = page_of(results);
-  EXPECT_NE(section(page, "results").find("77.9 to 416.0"), std::string::npos);
-  const std::string tables = section(page, "statistics");
-  EXPECT_NE(tables.find("<td>77.9</td><td>249.2</td><td>416.0</td>"), std::string::npos);
+  const Document document = document_of(results);
+  EXPECT_NE(section_text(document, "results").find("77.9 to 416.0"), std::string::npos);
+  const std::string tables = section_text(document, "statistics");
+  EXPECT_NE(tables.find("77.9 | 249.2 | 416.0"), std::string::npos);
   const std::size_t extremes = tables.find("Most probable extremes");
   ASSERT_NE(extremes, std::string::npos);
-  EXPECT_NE(tables.find("<td>359.3</td>", extremes), std::string::npos);
+  EXPECT_NE(tables.find("359.3", extremes), std::string::npos);
   const Json data = data_of(results);
   const auto largest = [&](const std::string& title) {
     for (const Json& history : data["histories"]) {
@@ -308,8 +295,8 @@ TEST(dynamic_report_data, what_is_not_finite_does_not_break_the_page) {
   for (const char* word : {"NaN", "nan", "Infinity", "inf,"}) {
     EXPECT_EQ(data.find(word), std::string::npos) << word;
   }
-  const std::string text = section(page_of(results), "dynamic-supports");
-  EXPECT_EQ(text.find("<td>inf"), std::string::npos);
+  const std::string text = section_text(document_of(results), "dynamic-supports");
+  EXPECT_EQ(text.find("inf"), std::string::npos);
 }
 
 TEST(dynamic_report_data, spectra_are_cut_where_nothing_is_left) {

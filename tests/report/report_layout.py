@@ -69,9 +69,10 @@ LOOK = """
   }
   for (const panel of document.querySelectorAll('[data-figure=tension], [data-figure=envelope_tension]')) {
     const ticks = [...panel.querySelectorAll('g[text-anchor=end] .tick text')].map((t) => t.textContent);
-    const st = Report.data.stations;
+    const data = JSON.parse(document.getElementById('results-data').textContent);
+    const st = data.stations;
     const all = st.effective_tension.concat(st.wall_tension);
-    if (Report.data.dynamic === undefined && ticks.includes('0') && Math.min(...all) > 0.2 * Math.max(...all)) faults.push('the tension axis begins at zero');
+    if (data.dynamic === undefined && ticks.includes('0') && Math.min(...all) > 0.2 * Math.max(...all)) faults.push('the tension axis begins at zero');
   }
   return faults;
 })()

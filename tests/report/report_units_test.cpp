@@ -25,33 +25,29 @@ namespace overbend {
 namespace {
 
 using testing::bgl1;
-using testing::visible;
 
-/// Without what is told in the words of others: messages, assumptions, places of checks, the model's text and its
-/// title.
-std::string of_report(const std::string& page) {
-  std::string text = visible(page);
-  for (const char* id : {"findings", "verdict", "assumptions", "model", "failed"}) {
-    const std::size_t from = text.find("<section id=\"" + std::string(id) + "\"");
-    if (from != std::string::npos) text.erase(from, text.find("</section>", from) - from);
+/// Without what is in the words of others: messages, assumptions, places of checks, the model's text and its title.
+std::string own_words(const Document& document) {
+  std::string text;
+  for (const Json& entry : document.front["entries"]) text += entry[1].get<std::string>() + "\n";
+  for (const Json& section : document.body.json()) {
+    const std::string id = section["id"];
+    if (id != "assumptions" && id != "model" && id != "failed") text += testing::shown_text(section["body"]);
   }
-  for (const char* part : {"<h1>[^<]*</h1>", "<style>[^<]*</style>", "<td class=\"t\">[^<]* with a wire core"}) {
-    text = std::regex_replace(text, std::regex(part), "");
-  }
-  return text;
+  return std::regex_replace(text, std::regex("[^\n|]* with a wire core"), "");
 }
 
 /// Every place at which a metric unit stands behind a number, in a head, in a cell or in brackets.
 std::set<std::string> metric_units(const std::string& text) {
   static const std::regex kMetric(
-      R"((\d ?(kN|MPa|kJ|mm|m)\b|[>\[(/, ](kN|MPa|MN|kJ|mm2?|cm4)\b|class="unit">(m|m/s|t|kg/m|N/m|N s)<|\[m\b)[^<]{0,30})");
+      R"((\d ?(kN|MPa|kJ|mm|m)\b|[\[(/, ](kN|MPa|MN|kJ|mm2?|cm4)\b|\[(m|m/s|t|kg/m|N/m|N s)\]|\[m\b)[^\n]{0,30})");
   std::set<std::string> found;
   for (std::sregex_iterator at(text.begin(), text.end(), kMetric), none; at != none; ++at) found.insert(at->str());
   return found;
 }
 
-void expect_us(const std::string& page) {
-  const std::string text = of_report(page);
+void expect_us(const Document& document) {
+  const std::string text = own_words(document);
   EXPECT_TRUE(std::regex_search(text, std::regex("\\b(kip|ft|ksi)\\b")));
   for (const std::string& place : metric_units(text)) ADD_FAILURE() << place;
 }
@@ -68,23 +64,23 @@ StaticResults lay() {
 
 TEST(report_units, of_a_lay_in_time_are_customary_where_that_is_asked_for) {
   const UsUnits units;
-  expect_us(report_html(lay(), testing::synthetic_dynamics(lay()), bgl1().model_text));
+  expect_us(report_document(lay(), testing::synthetic_dynamics(lay()), bgl1().model_text));
 }
 
 TEST(report_units, of_moored_hulls_and_lines_are_customary_where_that_is_asked_for) {
   const UsUnits units;
-  expect_us(testing::moored_page_in_time());
-  expect_us(report_html(testing::synthetic_hull_alone(testing::synthetic_pull_ahead()),
-                        testing::example_text("moored-barge")));
+  expect_us(testing::moored_document_in_time());
+  expect_us(report_document(testing::synthetic_hull_alone(testing::synthetic_pull_ahead()),
+                            testing::example_text("moored-barge")));
   expect_us(
-      report_html(testing::synthetic_lines(), testing::synthetic_lines_in_time(), testing::example_text("jumper")));
+      report_document(testing::synthetic_lines(), testing::synthetic_lines_in_time(), testing::example_text("jumper")));
 }
 
 TEST(report_units, of_operations_and_studies_are_customary_where_that_is_asked_for) {
   const UsUnits units;
-  expect_us(operation_report_html(testing::synthetic_abandonment(), testing::abandonment_text()));
+  expect_us(operation_report_document(testing::synthetic_abandonment(), testing::abandonment_text()));
   for (const char* shape : {"maps", "swings", "sample", "operability"}) {
-    expect_us(study_html(testing::synthetic_study(shape)));
+    expect_us(study_document(testing::synthetic_study(shape)));
   }
 }
 
@@ -96,23 +92,23 @@ TEST(report_units, of_a_lay_table_are_customary_where_that_is_asked_for) {
   asked.to = 45.0;
   asked.steps = 1;
   const UsUnits units;
-  const std::string page =
-      lay_table_html(make_lay_table(*reading.description, asked), reading.description->source_text);
-  expect_us(page);
-  EXPECT_TRUE(has(page, "147.638"));  // 45 m [ft]
+  const Document document =
+      lay_table_document(make_lay_table(*reading.description, asked), reading.description->source_text);
+  expect_us(document);
+  EXPECT_TRUE(has(testing::shown_text(document), "147.638"));  // 45 m [ft]
 }
 
 TEST(report_units, numbers_are_those_of_independent_factors) {
   constexpr double kNewtonsPerKip = 4448.2216152605, kPascalsPerKsi = 6.894757293168361e6;
   const UsUnits units;
-  const std::string page = report_html(lay(), bgl1().model_text);
-  EXPECT_TRUE(has(page, fmt::format(">{:.2f} <span>kip</span>", lay().top_tension / kNewtonsPerKip)));
-  EXPECT_TRUE(has(page, fmt::format(">{:.2f} <span>ksi</span>", lay().sagbend.von_mises.value / kPascalsPerKsi)));
-  EXPECT_TRUE(has(page, fmt::format(">{:.1f} <span>ft</span>", lay().lay_back / 0.3048)));
-  EXPECT_TRUE(has(page, "<td class=\"t\">Steel outside diameter</td><td>16</td><td class=\"t\">in</td>"));
-  EXPECT_TRUE(
-      has(page, "<td class=\"t\">Seabed stiffness</td><td>2088.54</td><td class=\"t\">lbf/ft2</td>"));  // 100 kPa
-  EXPECT_TRUE(has(page, "\"m\":{\"name\":\"ft\",\"factor\":3.28"));  // what the figures draw lengths in
+  const Document document = report_document(lay(), bgl1().model_text);
+  const std::string page = testing::shown_text(document);
+  EXPECT_TRUE(has(page, fmt::format("| {:.2f} | kip |", lay().top_tension / kNewtonsPerKip)));
+  EXPECT_TRUE(has(page, fmt::format("| {:.2f} | ksi |", lay().sagbend.von_mises.value / kPascalsPerKsi)));
+  EXPECT_TRUE(has(page, fmt::format("| {:.1f} | ft |", lay().lay_back / 0.3048)));
+  EXPECT_TRUE(has(page, "Steel outside diameter | 16 | in"));
+  EXPECT_TRUE(has(page, "Seabed stiffness | 2088.54 | lbf/ft2"));                   // 100 kPa
+  EXPECT_TRUE(has(page_text(document), "\"m\":{\"name\":\"ft\",\"factor\":3.28"));  // what the figures draw lengths in
 }
 
 TEST(report_units, of_damping_and_stiffness_follow_from_force_and_length) {
@@ -121,12 +117,12 @@ TEST(report_units, of_damping_and_stiffness_follow_from_force_and_length) {
   results.hull = testing::synthetic_hull();
   const ModeDampingResult mode = results.hull->damping.front();
   const UsUnits units;
-  const std::string page = report_html(results, text);
+  const std::string page = testing::shown_text(report_document(results, text));
   constexpr double kPerMetre = 0.3048 / 4448.2216152605;  // kip/ft of N/m
   EXPECT_EQ(mode.mode, "surge");
-  EXPECT_TRUE(has(page, fmt::format("<td>{:.4g}</td>", mode.critical * kPerMetre)));
+  EXPECT_TRUE(has(page, fmt::format("{:.4g}", mode.critical * kPerMetre)));
   EXPECT_TRUE(has(page, "[kip/ft, kip, kip ft]"));
-  EXPECT_TRUE(has(page, fmt::format("<td>{:.5g}</td>", results.moorings->rest.vessel.stiffness[0] * kPerMetre)));
+  EXPECT_TRUE(has(page, fmt::format("{:.5g}", results.moorings->rest.vessel.stiffness[0] * kPerMetre)));
 }
 
 TEST(report_units, plain_numbers_have_no_more_digits_than_mean_something) {

@@ -217,7 +217,7 @@ void add_moored_dynamics(DynamicResults& results) {
   results.moorings[6].brake_rendered = 0.42;
 }
 
-std::string moored_page_in_time() {
+Document moored_document_in_time() {
   StaticResults rest = synthetic_hull_alone(synthetic_moorings());
   rest.hull = synthetic_hull();
   DynamicResults results;
@@ -261,7 +261,7 @@ std::string moored_page_in_time() {
                               4.6,
                               true});
   add_moored_dynamics(results);
-  return report_html(rest, results, example_text("moored-barge"));
+  return report_document(rest, results, example_text("moored-barge"));
 }
 
 StaticResults synthetic_lines() {

@@ -2,6 +2,7 @@
 /// same every time.
 #pragma once
 
+#include "report/page/page.h"
 #include "results/dynamic_results.h"
 #include "results/static_results.h"
 
@@ -26,7 +27,7 @@ HullResults synthetic_hull();
 void add_moored_dynamics(DynamicResults& results);
 
 /// The report of such a run of the barge without a pipe.
-std::string moored_page_in_time();
+Document moored_document_in_time();
 
 /// A jumper between two ends at rest, and a run from there.
 StaticResults synthetic_lines();

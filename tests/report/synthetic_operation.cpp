@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "report/bgl1_results.h"
-#include "report/page/places.h"
+#include "results/fields/places.h"
 
 namespace overbend::testing {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "report/page_text.h"
 #include "report/static/passage_section.h"
 #include "resultfiles/static/passage_json.h"
 
@@ -65,7 +66,7 @@ TEST(passage, speaks_of_the_structure_that_passes) {
   EXPECT_EQ(passage.strain.value, 2e-3);
   EXPECT_EQ(passage_json(passage)["max_strain_beside"]["stage"], "stage 2");
   EXPECT_EQ(passage_json(passage)["supports"][1]["max_roller_reaction"]["value"], 40e3);
-  const std::string section = passage_section(passage);
+  const std::string section = testing::shown_text(passage_section(passage));
   EXPECT_NE(section.find("0.2000 %"), std::string::npos);
   EXPECT_NE(section.find("Passage of tee"), std::string::npos);
 }

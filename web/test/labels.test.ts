@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import { nameStep, upright } from '../src/logic/labelRoom';
+import { wordStep } from '../src/components/HeatMap';
+import { upright } from '../src/logic/labelRoom';
 
 test('a name upright stands below the curves, else above them, else it is left out', () => {
   const plot = { top: 10, bottom: 110 };
@@ -11,7 +12,7 @@ test('a name upright stands below the curves, else above them, else it is left o
 });
 
 test('names along an axis do not run into each other', () => {
-  expect(nameStep(['36', '38', '40'], 80, 5.6)).toBe(1);
+  expect(wordStep(['36', '38', '40'], 80, 10)).toBe(1);
   const names = ['trapezoid', 'minimum_jerk', 'zero_vibration', 'trapezoid'];
-  expect(nameStep(names, 60, 5.6) * 60).toBeGreaterThan(5.6 * 'zero_vibration'.length);
+  expect(wordStep(names, 60, 10) * 60).toBeGreaterThan(5.6 * 'zero_vibration'.length);
 });

@@ -1,6 +1,6 @@
 // What a lay table asks for, and how its curves are laid out.
 import { expect, test } from 'vitest';
-import { bounds, rangeOf, ticks, usualRange, wishFault } from '../src/logic/laytable';
+import { bounds, rangeOf, usualRange, wishFault } from '../src/logic/laytable';
 
 test('a range is asked for as the command line does', () => {
   expect(rangeOf({ vary: 'tension', from: ' 200 kN', to: '400 kN ', steps: '20' })).toBe('200 kN..400 kN/20');
@@ -19,12 +19,6 @@ test('what cannot be asked for is said before it is sent', () => {
   expect(wishFault({ ...good, to: '400' })).toMatch(/unit/);
   expect(wishFault({ ...good, steps: '0' })).toMatch(/steps/);
   expect(wishFault({ ...good, from: 'much' })).toMatch(/numbers/);
-});
-
-test('ticks are round and within', () => {
-  expect(ticks(201, 399)).toEqual([250, 300, 350]);
-  expect(ticks(145.5, 948.7)).toEqual([200, 400, 600, 800]); // a bit more than four steps is no reason for one tick
-  expect(ticks(0.11, 0.19, 4)).toEqual([0.12, 0.14, 0.16, 0.18]);
 });
 
 test('bounds hold the curves and the limit', () => {

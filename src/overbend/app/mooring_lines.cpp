@@ -6,14 +6,10 @@
 #include <cmath>
 
 #include "base/shown_unit.h"
+#include "results/tables/mooring_tables.h"
 
 namespace overbend {
 namespace {
-
-/// "tension kN"
-std::string in(const char* name, std::string_view si) {
-  return std::string(name) + " " + shown_name(si);
-}
 
 std::string state_lines(const MooredState& state) {
   const VesselResult& v = state.vessel;
@@ -27,18 +23,9 @@ std::string state_lines(const MooredState& state) {
     text += fmt::format("  thrust ahead {}, to port {}, bow to port {}\n", shown(state.thrust[0], "N", 1),
                         shown(state.thrust[1], "N", 1), shown(state.thrust[2], "N m", 1));
   }
-  if (state.moorings.empty()) return text;
-  text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "line", in("tension", "N"), in("length", "m"),
-                      in("on bed", "m"), in("anchor", "N"), "of MBL");
-  for (const MooringLineResult& line : state.moorings) {
-    const std::string used = line.utilisation ? fmt::format("{:.3f}", *line.utilisation) : "-";
-    text += line.parted
-                ? fmt::format("  {:<16}{:>12}\n", line.name, "parted")
-                : fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}\n", line.name,
-                              shown_number(line.fairlead_tension, "N", 2), shown_number(line.length, "m", 3),
-                              shown_number(line.on_bed, "m", 1), shown_number(line.anchor_tension, "N", 2), used);
-  }
-  return text;
+  return text + table_text(moorings_at_rest(state.moorings)
+                               .with_columns({"name", "fairlead_tension", "length", "on_bed", "anchor_tension",
+                                              "utilisation", "anchor_utilisation", "clearance"}));
 }
 
 }  // namespace
@@ -80,55 +67,24 @@ std::string hull_lines(const HullResults& hull) {
 
 namespace {
 
-std::string in_three_hours(const MotionSpread& motion, std::string_view si, int digits) {
-  return motion.most_probable_max ? shown_number(*motion.most_probable_max, si, digits) : "none";
+/// Those of the statistics that a terminal has room for.
+Table narrow(const Table& statistics) {
+  return statistics.with_columns({"name", "unit", "mean", "slow_std", "wave_std", "min", "max", "most_probable_max"});
 }
 
 }  // namespace
 
 std::string moored_dynamics_lines(const DynamicResults& results) {
   std::string text;
+  const auto add = [&](const Table& table) {
+    if (!table.empty()) text += "  " + table.title + "\n" + table_text(table, 4);
+  };
   if (results.vessel) {
-    const VesselDynamics& v = *results.vessel;
-    text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "vessel", "mean", "slow std", "wave std",
-                        "min", "max", "in 3 h");
-    const auto row = [&](const char* name, const MotionSpread& m, std::string_view si) {
-      const auto cell = [&](double value) { return shown_number(value, si, 3); };
-      text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", in(name, si), cell(m.whole.mean),
-                          cell(m.slow.std), cell(m.wave.std), cell(m.whole.min), cell(m.whole.max),
-                          in_three_hours(m, si, 3));
-    };
-    row("surge", v.surge, "m");
-    row("sway", v.sway, "m");
-    row("heave", v.heave, "m");
-    row("roll", v.roll, "rad");
-    row("pitch", v.pitch, "rad");
-    row("yaw", v.yaw, "rad");
-    row("offset", v.offset, "m");
-    text += "  " + v.confidence + "\n";
+    add(narrow(vessel_motions(*results.vessel, course(results))));
+    text += "  " + results.vessel->confidence + "\n";
   }
-  if (!results.thrust.empty()) {
-    text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n",
-                        "thrust " + shown_name("N") + ", " + shown_name("N m"), "mean", "std", "min", "max", "limit",
-                        "s at limit");
-    for (const ThrustDynamics& one : results.thrust) {
-      const char* si = &one - results.thrust.data() == 2 ? "N m" : "N";
-      const auto cell = [&](double value) { return shown_number(value, si, 1); };
-      text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12.1f}\n", one.name, cell(one.given.mean),
-                          cell(one.given.std), cell(one.given.min), cell(one.given.max),
-                          one.limit ? cell(*one.limit) : "none", one.time_at_limit);
-    }
-  }
-  if (results.moorings.empty()) return text;
-  text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", in("line tension", "N"), "mean", "slow std",
-                      "wave std", "min", "max", "in 3 h");
-  for (const MooringLineDynamics& line : results.moorings) {
-    const MotionSpread& t = line.fairlead_tension;
-    const auto cell = [](double value) { return shown_number(value, "N", 1); };
-    text +=
-        fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", line.name, cell(t.whole.mean), cell(t.slow.std),
-                    cell(t.wave.std), cell(t.whole.min), cell(t.whole.max), in_three_hours(t, "N", 1));
-  }
+  add(thrust_over_time(results.thrust));
+  add(narrow(fairlead_tensions(results.moorings)));
   return text;
 }
 

@@ -14,7 +14,7 @@
 #include "app/stinger_lines.h"
 #include "base/finding.h"
 #include "base/shown_unit.h"
-#include "report/page/places.h"
+#include "results/fields/places.h"
 #include "runstore/staged_folder.h"
 #include "statics/solver/static_obstacle.h"
 #include "study/run/input_findings.h"

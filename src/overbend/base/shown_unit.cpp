@@ -72,14 +72,6 @@ std::atomic<UnitSystem>& in_use() {
   return system;
 }
 
-/// Never "-0.0".
-std::string fixed_text(double value, int decimals) {
-  if (!std::isfinite(value)) return "-";
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
-  return zero && text.front() == '-' ? text.substr(1) : text;
-}
-
 std::string with_unit(std::string number, const ShownUnit& unit) {
   return unit.name.empty() ? number : number.append(" ").append(unit.name);
 }
@@ -143,12 +135,19 @@ ShownUnit route_length() {
   return units_in_use() == UnitSystem::us ? ShownUnit{"m", "ft", 1.0 / kFoot, 0, -3} : ShownUnit{"m", "km", 1e-3, 3};
 }
 
+std::string fixed(double value, int digits) {
+  if (!std::isfinite(value)) return "-";
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return zero && text.front() == '-' ? text.substr(1) : text;
+}
+
 std::string text_of(const ShownUnit& unit) {
   return unit.name.empty() ? "-" : std::string(unit.name);
 }
 
 std::string shown_number(double value, const ShownUnit& unit, int decimals) {
-  return fixed_text(value * unit.factor, std::max(0, decimals + unit.more));
+  return fixed(value * unit.factor, std::max(0, decimals + unit.more));
 }
 
 std::string shown(double value, const ShownUnit& unit, int decimals) {
@@ -160,7 +159,7 @@ std::string shown_digits_number(double value, const ShownUnit& unit, int digits)
   std::string text = fmt::format("{:.{}g}", shown_value, digits);
   // US units are often so small that a metric number of three digits has four: no exponent for those.
   const bool large = units_in_use() == UnitSystem::us && text.find("e+") != std::string::npos;
-  return large ? fixed_text(shown_value, 0) : text;
+  return large ? fixed(shown_value, 0) : text;
 }
 
 std::string shown_digits(double value, const ShownUnit& unit, int digits) {

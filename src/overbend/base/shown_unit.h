@@ -60,6 +60,9 @@ ShownUnit bed_stiffness_unit();
 /// Distances along a route: kilometres or feet.
 ShownUnit route_length();
 
+/// A plain number with `digits` decimals, never "-0.00"; "-" for what is not finite.
+std::string fixed(double value, int digits);
+
 /// Its name, or a dash for plain numbers.
 std::string text_of(const ShownUnit& unit);
 

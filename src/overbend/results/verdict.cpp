@@ -13,10 +13,6 @@
 namespace overbend {
 namespace {
 
-std::string fixed(double value, int digits) {
-  return fmt::format("{:.{}f}", value, digits);
-}
-
 std::string lower_first(std::string text) {
   const bool acronym = text.size() > 1 && std::isupper(static_cast<unsigned char>(text[1])) != 0;
   if (!text.empty() && !acronym) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));

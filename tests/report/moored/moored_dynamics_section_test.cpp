@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "report/dynamic/mooring_histories.h"
 #include "report/page_text.h"
 #include "report/static/mooring_data.h"
@@ -10,7 +12,7 @@
 namespace overbend {
 namespace {
 
-using testing::count;
+using testing::shown_text;
 
 DynamicResults moored() {
   DynamicResults results;
@@ -19,53 +21,46 @@ DynamicResults moored() {
 }
 
 TEST(moored_dynamics_section, shows_slow_and_wave_parts_and_the_most_probable_largest_of_vessel_and_lines) {
-  int figure = 0;
-  const std::string section = moored_dynamics_section(moored(), figure);
-  EXPECT_NE(section.find("<td class=\"t\">Sway, to port</td><td class=\"t\">m</td><td>-2.160</td><td>4.840</td>"
-                         "<td>1.200</td><td>1.140</td><td>-1.110</td><td>3.730</td><td>1.100</td><td>0.990</td>"
-                         "<td>0.300</td><td>-3.000</td><td>5.540</td>"),
-            std::string::npos)
+  const Blocks blocks = moored_dynamics_section(moored());
+  const std::string section = shown_text(blocks);
+  EXPECT_NE(
+      section.find("\nSway, to port | m | -2.160 | 4.840 | 1.200 | 1.140 | -1.110 | 3.730 | 1.100 | 0.990 | 0.300 | "
+                   "-3.000 | 5.540\n"),
+      std::string::npos)
       << section;
-  EXPECT_NE(section.find("<td class=\"t\">port bow</td><td class=\"t\">kN</td><td>281.8</td><td>416.8</td>"),
-            std::string::npos);
+  EXPECT_NE(section.find("\nport bow | kN | 281.8 | 416.8 |"), std::string::npos);
   EXPECT_NE(section.find("46 slow cycles of sway"), std::string::npos);
-  EXPECT_EQ(figure, 3);
+  EXPECT_EQ(std::ranges::count(blocks.json()[0]["body"], "figure", [](const Json& b) { return b["kind"]; }), 3);
 }
 
 TEST(moored_dynamics_section, shows_what_dynamic_positioning_gave_and_marks_a_limit_that_was_reached) {
-  int figure = 0;
   DynamicResults results = moored();
-  EXPECT_EQ(moored_dynamics_section(results, figure).find("Dynamic positioning"), std::string::npos);
+  EXPECT_EQ(shown_text(moored_dynamics_section(results)).find("Dynamic positioning"), std::string::npos);
   results.thrust = {{"surge", {-120e3, 800e3, 310e3, 95e3}, 941e3, 800e3, 12.3},
                     {"sway", {-10e3, 20e3, 5e3, 4e3}, 20e3, std::nullopt, 0.0},
                     {"yaw", {-3e6, 4e6, 1e6, 2e6}, 4e6, 9e6, 0.0}};
-  const std::string told = moored_dynamics_section(results, figure);
-  EXPECT_NE(told.find("<tr class=\"over\"><td class=\"t\">Thrust ahead</td><td>310.0</td><td>95.0</td><td>-120.0</td>"
-                      "<td>800.0</td><td>941.0</td><td>800.0</td><td>12.3</td><td class=\"t\">kN</td>"),
+  const std::string section = shown_text(moored_dynamics_section(results));
+  EXPECT_NE(section.find("\nover: Thrust ahead | 310.0 | 95.0 | -120.0 | 800.0 | 941.0 | 800.0 | 12.3 | kN\n"),
             std::string::npos)
-      << told;
-  EXPECT_NE(told.find("<td>20.0</td><td>20.0</td><td>none</td><td>0.0</td>"), std::string::npos);
-  EXPECT_NE(told.find("<td>9000</td><td>0.0</td><td class=\"t\">kN m</td>"), std::string::npos);
+      << section;
+  EXPECT_NE(section.find("20.0 | 20.0 | none | 0.0"), std::string::npos);
+  EXPECT_NE(section.find("9000 | 0.0 | kN m\n"), std::string::npos);
 }
 
 TEST(moored_dynamics_section, lists_events_and_what_a_brake_let_out_only_where_there_were_any) {
-  int figure = 0;
   DynamicResults results = moored();
-  const std::string told = moored_dynamics_section(results, figure);
-  EXPECT_NE(told.find("<td>1234.5</td><td class=\"t\">starboard forward breast</td><td class=\"t\">brake renders</td>"),
-            std::string::npos);
-  EXPECT_NE(told.find("Brake let out"), std::string::npos);
+  const std::string section = shown_text(moored_dynamics_section(results));
+  EXPECT_NE(section.find("\n1234.5 | starboard forward breast | brake renders\n"), std::string::npos);
+  EXPECT_NE(section.find("Brake let out"), std::string::npos);
   results.moorings[6].events.clear();
   results.moorings[6].brake_rendered = 0.0;
-  const std::string calm = moored_dynamics_section(results, figure);
+  const std::string calm = shown_text(moored_dynamics_section(results));
   EXPECT_EQ(calm.find("Events of the mooring lines"), std::string::npos);
   EXPECT_EQ(calm.find("Brake let out"), std::string::npos);
 }
 
-TEST(moored_dynamics_section, is_empty_of_a_run_with_a_told_motion) {
-  int figure = 0;
-  EXPECT_EQ(moored_dynamics_section(DynamicResults{}, figure), "");
-  EXPECT_EQ(figure, 0);
+TEST(moored_dynamics_section, is_empty_for_a_run_with_a_prescribed_motion) {
+  EXPECT_TRUE(moored_dynamics_section(DynamicResults{}).empty());
 }
 
 TEST(mooring_histories, hold_the_slow_part_beside_the_whole_motion_and_every_line) {

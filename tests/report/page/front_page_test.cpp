@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <regex>
 
 #include "report/bgl1_results.h"
 #include "report/page_text.h"
@@ -14,8 +13,7 @@ namespace overbend {
 namespace {
 
 using testing::bgl1;
-using testing::count;
-using testing::visible;
+using testing::section_text;
 
 CheckRow check_of(const char* name, CheckRegion region, CheckStatus status, double utilisation) {
   CheckRow row;
@@ -35,6 +33,12 @@ CheckTable table_of(const std::vector<CheckRow>& rows) {
 
 std::string words_of(const std::vector<CheckRow>& rows, const Findings& findings = {}) {
   return make_verdict(table_of(rows), findings).words;
+}
+
+std::vector<std::string> bar_titles(const Json& front) {
+  std::vector<std::string> titles;
+  for (const Json& bar : front["utilisation"]["bars"]) titles.push_back(bar["title"]);
+  return titles;
 }
 
 TEST(verdict, is_passed_where_nothing_governing_is_exceeded) {
@@ -83,9 +87,8 @@ TEST(front_page, a_line_that_is_used_most_does_not_hide_the_equipment) {
   CheckRow anchor = check_of("Anchor, holding power over safety factor", CheckRegion::line, CheckStatus::passed, 0.9);
   anchor.id = "anchor_load";
   checks.rows = {anchor, check_of("Roller force", CheckRegion::line, CheckStatus::passed, 0.4)};
-  const std::string html = front_page(FrontPage{}, bgl1().results, checks, "");
-  EXPECT_NE(html.find("<div class=\"region\">Anchors</div>"), std::string::npos);
-  EXPECT_NE(html.find("<div class=\"region\">Line and equipment</div>"), std::string::npos);
+  const std::vector<std::string> titles = bar_titles(front_page(FrontPage{}, bgl1().results, checks));
+  EXPECT_EQ(titles, (std::vector<std::string>{"Line and equipment", "Anchors"}));
 }
 
 /// Whether the sentences begin with these words, one by one.
@@ -117,11 +120,10 @@ TEST(assumptions, of_the_example_have_their_ranks) {
 }
 
 TEST(assumptions, stand_in_the_report_under_the_headings_of_their_ranks) {
-  const std::string page = report_html(bgl1().results, bgl1().model_text);
+  const std::string page = section_text(report_document(bgl1().results, bgl1().model_text), "assumptions");
   std::size_t place = 0;
-  for (const char* part :
-       {"<h3>Governing assumptions</h3>", "in statics they are frictionless", "<h3>Settings of the model file</h3>",
-        "Water depth 89.00 m", "<h3>Other assumptions</h3>", "Field-joint infill"}) {
+  for (const char* part : {"Governing assumptions", "in statics they are frictionless", "Settings of the model file",
+                           "Water depth 89.00 m", "Other assumptions", "Field-joint infill"}) {
     const std::size_t found = page.find(part, place);
     ASSERT_NE(found, std::string::npos) << part;
     place = found;
@@ -131,58 +133,43 @@ TEST(assumptions, stand_in_the_report_under_the_headings_of_their_ranks) {
 TEST(front_page, shows_the_document_control_of_the_model_file_and_leaves_room_for_the_rest) {
   const std::string text =
       bgl1().model_text + "\nreport: {client: Sea & Co, project: P1, document: D-7, revision: 2, prepared: AB}\n";
-  const std::string page = visible(report_html(bgl1().results, text));
-  EXPECT_NE(page.find("<dt>Client</dt><dd>Sea &amp; Co</dd>"), std::string::npos);
-  EXPECT_NE(page.find("<dt>Revision</dt><dd>2</dd>"), std::string::npos);
-  EXPECT_NE(page.find("<dt>Checked</dt><dd>&nbsp;</dd>"), std::string::npos);
-  EXPECT_EQ(visible(report_html(bgl1().results, bgl1().model_text)).find("<dt>Client"), std::string::npos);
-}
-
-TEST(front_page, contents_link_to_every_section_that_follows_in_order) {
-  const std::string page = visible(report_html(bgl1().results, bgl1().model_text));
-  const std::string list = page.substr(page.find("<nav id=\"contents\">"), page.find("</nav>") - page.find("<nav id="));
-  const std::string rest = page.substr(page.find("<div class=\"sections\">"));
-  EXPECT_EQ(count(list, "<li>"), count(rest, "<section id="));
-  const std::regex link("href=\"#([^\"]+)\"");
-  std::size_t before = 0;
-  for (auto at = std::sregex_iterator(list.begin(), list.end(), link); at != std::sregex_iterator(); ++at) {
-    const std::size_t found = rest.find("<section id=\"" + (*at)[1].str() + "\"");
-    ASSERT_NE(found, std::string::npos) << (*at)[1];
-    EXPECT_GE(found, before) << (*at)[1];
-    before = found;
-  }
+  const Json control = report_document(bgl1().results, text).front["control"];
+  EXPECT_EQ(control[0], Json({"Client", "Sea & Co"}));
+  EXPECT_EQ(control[3], Json({"Revision", "2"}));
+  EXPECT_EQ(control[5], Json({"Checked", ""}));
+  EXPECT_FALSE(report_document(bgl1().results, bgl1().model_text).front.contains("control"));
 }
 
 TEST(front_page, has_a_bar_for_every_region_with_a_judged_check) {
-  const std::string page = visible(report_html(bgl1().results, bgl1().model_text));
-  const std::string front = page.substr(0, page.find("<nav id=\"contents\">"));
-  EXPECT_NE(front.find("<div class=\"words\">PASSED</div>"), std::string::npos);
-  EXPECT_EQ(count(front, "<div class=\"bar"), 5u);
-  for (const char* region : {"Overbend", "Stinger tip", "Sagbend", "Seabed", "Line and equipment"}) {
-    EXPECT_NE(front.find("<div class=\"region\">" + std::string(region) + "</div>"), std::string::npos) << region;
-  }
+  const Json front = report_document(bgl1().results, bgl1().model_text).front;
+  EXPECT_EQ(front["verdict"]["words"], "PASSED");
+  EXPECT_EQ(bar_titles(front),
+            (std::vector<std::string>{"Overbend", "Stinger tip", "Sagbend", "Seabed", "Line and equipment"}));
 }
 
 TEST(front_page, what_only_a_checker_reads_stands_in_the_appendix) {
-  const std::string page = visible(report_html(bgl1().results, bgl1().model_text));
-  const std::size_t assumptions = page.find("<section id=\"assumptions\">");
-  for (const char* id : {"rollers", "check-inputs", "balance", "model"}) {
-    const std::size_t at = page.find("<section id=\"" + std::string(id) + "\">");
-    ASSERT_NE(at, std::string::npos) << id;
-    EXPECT_GT(at, assumptions) << id;
-    EXPECT_EQ(page.find("<h2>Appendix: ", at), page.find("<h2>", at)) << id;
+  const Document document = report_document(bgl1().results, bgl1().model_text);
+  std::vector<std::string> appendices;
+  bool behind = false;
+  for (const Json& section : document.body.json()) {
+    const std::string heading = section["heading"];
+    if (behind) appendices.push_back(section["id"]);
+    EXPECT_EQ(heading.starts_with("Appendix: "), behind) << heading;
+    behind = behind || section["id"] == "assumptions";
   }
+  EXPECT_EQ(appendices, (std::vector<std::string>{"rollers", "calculation-sheet", "check-inputs", "balance", "model"}));
 }
 
 TEST(lay_setting, tells_of_every_box_how_it_is_set_and_what_that_makes_it_carry) {
-  const std::string page = visible(report_html(bgl1().results, bgl1().model_text));
-  const std::size_t at = page.find("<section id=\"lay-setting\">");
-  ASSERT_NE(at, std::string::npos);
-  EXPECT_LT(at, page.find("<section id=\"checks\">"));
-  const std::string section = page.substr(at, page.find("</section>", at) - at);
-  EXPECT_EQ(count(section, "<tr"), bgl1().results.supports.size() + 1);
-  const std::string last = section.substr(section.rfind("<tr"));
-  EXPECT_NE(last.find("<td>412</td>"), std::string::npos) << last;
+  const Document document = report_document(bgl1().results, bgl1().model_text);
+  const std::vector<std::string> ids = testing::section_ids(document);
+  EXPECT_LT(std::ranges::find(ids, "lay-setting"), std::ranges::find(ids, "checks"));
+  const Json body = testing::section_body(document, "lay-setting");
+  EXPECT_EQ(testing::row_count(body), bgl1().results.supports.size());
+  Json table = body[0];
+  table["rows"] = {table["rows"].back()};
+  const std::string last = testing::table_words(table);
+  EXPECT_NE(last.find("412"), std::string::npos) << last;
 }
 
 }  // namespace

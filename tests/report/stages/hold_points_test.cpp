@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "report/page/places.h"
 #include "report/stages/stage_words.h"
 #include "report/synthetic_operation.h"
+#include "results/fields/places.h"
 
 namespace overbend {
 namespace {

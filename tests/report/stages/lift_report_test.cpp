@@ -1,6 +1,8 @@
 // The page of a lift: side view with all lines, and the same page from stored results.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "modelfile/reading/yaml_reader.h"
 #include "report/page_text.h"
 #include "report/stages/operation_report.h"
@@ -11,8 +13,6 @@
 
 namespace overbend {
 namespace {
-
-using testing::count;
 
 const Description& described() {
   static const Description kLift =
@@ -25,24 +25,29 @@ const OperationResults& solved() {
   return kResults;
 }
 
-std::string side_view(const OperationResults& results) {
-  const std::string page = operation_report_html(results, described().source_text);
-  const std::size_t from = page.find("<figure id=\"lift-shape\">");
-  return from == std::string::npos ? "" : page.substr(from, page.find("</figure>", from) - from);
+/// What its first figure draws.
+Json side_view(const OperationResults& results) {
+  const Document document = operation_report_document(results, described().source_text);
+  for (const Json& block : testing::section_body(document, "stages")) {
+    if (block["kind"] == "figure") return block["data"];
+  }
+  return nullptr;
 }
 
 // Two pipes and four wires at every stage, a circle for each wire and for the weld, water and bed.
 TEST(lift_report, draws_all_lines_of_every_stage_with_water_and_bed) {
-  const std::string figure = side_view(solved());
+  const Json figure = side_view(solved());
   const std::size_t stages = solved().stages.size();
   std::size_t welds = 0;
   for (const StageResult& stage : solved().stages) welds += stage.lay->lift->join ? 1 : 0;
-  EXPECT_EQ(count(figure, "class=\"curve\""), 2 * stages);
-  EXPECT_EQ(count(figure, "class=\"curve thin\""), 4 * stages);
-  EXPECT_EQ(count(figure, "class=\"mark\""), 4 * stages + welds);
-  EXPECT_EQ(count(figure, "class=\"water\""), 1u);
-  EXPECT_EQ(count(figure, "class=\"ground\""), 1u);
-  EXPECT_EQ(count(figure, "nan"), 0u);
+  std::map<std::string, std::size_t> looks;
+  for (const Json& curve : figure["curves"]) ++looks[curve["look"]];
+  EXPECT_EQ(looks["line"], 2 * stages);
+  EXPECT_EQ(looks["thin"], 4 * stages);
+  EXPECT_EQ(looks["marks"], 4 * stages + welds);
+  EXPECT_EQ(figure["water"].size(), 1u);
+  EXPECT_EQ(figure["ground"].size(), 1u);
+  EXPECT_EQ(json_text(figure).find("null"), std::string::npos);
 }
 
 TEST(lift_report, draws_the_same_from_stored_results) {
@@ -53,10 +58,11 @@ TEST(lift_report, draws_the_same_from_stored_results) {
 
 // One verdict for each stage, with the check that decides and the line it is of.
 TEST(lift_report, has_the_verdict_of_every_stage_and_names_the_lines_of_its_checks) {
-  const std::string page = testing::visible(operation_report_html(solved(), described().source_text));
+  const Document document = operation_report_document(solved(), described().source_text);
+  const std::string page = testing::section_text(document, "stage-checks");
   EXPECT_NE(page.find("Verdict"), std::string::npos);
-  EXPECT_NE(page.find("line &quot;pipe A&quot;"), std::string::npos);
-  EXPECT_EQ(page.find("from the tensioner"), std::string::npos);
+  EXPECT_NE(page.find("line \"pipe A\""), std::string::npos);
+  EXPECT_EQ(testing::shown_text(document).find("from the tensioner"), std::string::npos);
 }
 
 }  // namespace

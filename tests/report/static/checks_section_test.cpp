@@ -12,24 +12,25 @@ namespace {
 using testing::bgl1;
 using testing::count;
 
-std::string section_of(const CheckTable& table) {
-  int figure = 0;
-  return checks_section(bgl1().results, table, figure);
+std::string section_text(const CheckTable& table) {
+  return testing::shown_text(checks_section(bgl1().results, table));
 }
 
 TEST(checks_section, tells_every_check_with_its_code) {
   const CheckTable& table = bgl1().results.checks;
-  const std::string text = section_of(table);
+  const std::string text = section_text(table);
   for (const CheckRow& row : table.rows) {
-    EXPECT_NE(text.find(">" + row.name + "<"), std::string::npos) << row.name;
-    EXPECT_NE(text.find(row.code), std::string::npos) << row.code;
+    EXPECT_NE(text.find(row.name + " | " + row.code), std::string::npos) << row.name;
   }
   for (const char* said : {"Governing check of each region", "No governing check is exceeded",
-                           "see the calculation sheet", "not done: needs a dynamic analysis", "for information"}) {
+                           "not done: needs a dynamic analysis", "for information"}) {
     EXPECT_NE(text.find(said), std::string::npos) << said;
   }
-  EXPECT_EQ(count(text, "data-figure=\"checks\""), 2u);
   EXPECT_EQ(count(text, "nan"), 0u);
+  const Json section = checks_section(bgl1().results, table).json().front();
+  EXPECT_EQ(section["body"][0]["link"],
+            Json({{"text", "Basis of the checks: see the calculation sheet."}, {"to", "calculation-sheet"}}));
+  EXPECT_EQ(section["body"][2]["parts"], Json({"whole", "overbend"}));
 }
 
 TEST(checks_section, says_what_is_exceeded_and_marks_it) {
@@ -39,10 +40,10 @@ TEST(checks_section, says_what_is_exceeded_and_marks_it) {
     row.utilisation = 1.25;
     row.status = CheckStatus::exceeded;
   }
-  const std::string text = section_of(table);
+  const std::string text = section_text(table);
   EXPECT_NE(text.find("1 governing check is exceeded"), std::string::npos);
   EXPECT_NE(text.find("1.250"), std::string::npos);
-  EXPECT_EQ(count(text, "<tr class=\"over\">"), 2u);  // among the governing ones and in its region
+  EXPECT_EQ(count(text, "\nover: "), 2u);  // among the governing ones and in its region
 }
 
 TEST(checks_section, does_not_count_what_lies_outside_validity_as_passed) {
@@ -51,18 +52,18 @@ TEST(checks_section, does_not_count_what_lies_outside_validity_as_passed) {
     if (row.id == "dnv_load_controlled" && row.region == CheckRegion::sagbend)
       row.status = CheckStatus::outside_validity;
   }
-  EXPECT_NE(section_of(table).find("1 outside the validity"), std::string::npos);
+  EXPECT_NE(section_text(table).find("1 outside the validity"), std::string::npos);
 }
 
 TEST(checks_section, is_absent_without_checks) {
-  EXPECT_EQ(section_of(CheckTable{}), "");
+  EXPECT_TRUE(checks_section(bgl1().results, CheckTable{}).empty());
   EXPECT_TRUE(checks_figure_data(bgl1().results, CheckTable{}).is_null());
 }
 
 TEST(checks_section, stands_before_the_figures_of_the_report) {
-  const std::string page = testing::visible(report_html(bgl1().results, bgl1().model_text));
-  ASSERT_NE(page.find("id=\"checks\""), std::string::npos);
-  EXPECT_LT(page.find("id=\"checks\""), page.find("id=\"figures\""));
+  const std::string body = json_text(report_document(bgl1().results, bgl1().model_text).body.json());
+  ASSERT_NE(body.find("\"id\":\"checks\""), std::string::npos);
+  EXPECT_LT(body.find("\"id\":\"checks\""), body.find("\"id\":\"figures\""));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "base/json.h"
 #include "resultfiles/stages/operation_reader.h"
 #include "resultfiles/stages/stage_table.h"
+#include "resultfiles/tables/data_table.h"
 #include "support/lay_bits.h"
 #include "support/solved_case.h"
 

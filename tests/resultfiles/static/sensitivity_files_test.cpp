@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "report/static/sensitivity_section.h"
 #include "resultfiles/static/results_reader.h"
 #include "resultfiles/static/results_writer.h"
@@ -52,9 +54,7 @@ TEST(sensitivity_files, results_h5_gives_back_what_was_written) {
   EXPECT_EQ(back.at(0, 1).support, "stinger 4");
   EXPECT_EQ(back.at(0, 1).beyond, 1e5);
   EXPECT_EQ(back.without_effect, s.without_effect);
-  int figure = 0;
-  int again = 0;
-  EXPECT_EQ(sensitivity_section(back, figure), sensitivity_section(s, again));
+  EXPECT_EQ(sensitivity_section(back).json(), sensitivity_section(s).json());
   EXPECT_NE(testing::file_text(folder / "summary.json").find("\"sensitivities\""), std::string::npos);
   EXPECT_NE(testing::file_text(folder / "sensitivities.csv")
                 .find("static.bottom_tension,supports.stinger.boxes[stinger 3].z,40000,N / (m),0.01,"),
@@ -70,12 +70,15 @@ TEST(sensitivity_files, an_analysis_without_them_says_nothing_of_them) {
 }
 
 TEST(sensitivity_section, marks_what_holds_on_one_side_only_and_names_the_box) {
-  int figure = 3;
-  const std::string section = sensitivity_section(two_inputs(), figure);
-  EXPECT_EQ(figure, 4);
-  EXPECT_NE(section.find("What this result hangs on"), std::string::npos);
-  EXPECT_NE(section.find("stinger 4 closes at -8.005 m; beyond, the derivative is 2.5 times that here"),
+  const Json section = sensitivity_section(two_inputs()).json().front();
+  EXPECT_EQ(section["heading"], "What this result hangs on");
+  const Json& data = section["body"][1]["data"];
+  EXPECT_EQ(data["bars"].size(), 2U);
+  ASSERT_EQ(data["notes"].size(), 1U);
+  EXPECT_NE(data["notes"][0].get<std::string>().find("4 closes at -8.005 m; beyond, the derivative is 2.5 times that"),
             std::string::npos);
+  const auto marked = [](const Json& bar) { return bar["high_label"].get<std::string>().ends_with(" *"); };
+  EXPECT_EQ(std::ranges::count_if(data["bars"], marked), 1);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "resultfiles/studies/operability_json.h"
+#include "resultfiles/tables/data_table.h"
 
 namespace overbend {
 namespace {
@@ -43,17 +44,17 @@ OperabilityResults chart() {
 }  // namespace
 
 TEST(operability_table, has_a_row_per_cell_in_the_units_of_the_study) {
-  const DataTable table = operability_table(chart());
+  const Table table = operability_table(chart());
   const std::string text = csv_text(table);
   EXPECT_NE(text.find("environment.waves.from [deg]"), std::string::npos) << text;
   EXPECT_NE(text.find("largest environment.waves.hs [m]"), std::string::npos) << text;
   ASSERT_EQ(table.rows.size(), 4U);
-  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
-  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0][0]), 90.0);
-  EXPECT_EQ(std::get<std::string>(table.rows[0][1]), "locked");
-  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0][2]), 2.5);
-  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0][3]), 2.0);
-  EXPECT_TRUE(std::holds_alternative<std::monostate>(table.rows[1][2]));
+  for (const TableRow& row : table.rows) EXPECT_EQ(row.cells.size(), table.columns.size());
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0].cells[0]), 90.0);
+  EXPECT_EQ(std::get<std::string>(table.rows[0].cells[1]), "locked");
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0].cells[2]), 2.5);
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0].cells[3]), 2.0);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(table.rows[1].cells[2]));
 }
 
 TEST(operability_table, says_what_a_cell_without_a_limit_is) {
@@ -69,11 +70,11 @@ TEST(operability_table, workability_stands_by_month) {
   EXPECT_TRUE(workability_table(results).rows.empty());
   results.workability = Workability{std::vector<double>(12, 0.5), 0.5, 0.1};
   results.forecast_workability = Workability{std::vector<double>(12, 0.25), 0.25, 0.1};
-  const DataTable table = workability_table(results);
+  const Table table = workability_table(results);
   ASSERT_EQ(table.rows.size(), 14U);
-  EXPECT_EQ(std::get<std::string>(table.rows[1][0]), "February");
-  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[1][1]), 50.0);
-  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[12][2]), 25.0);
+  EXPECT_EQ(std::get<std::string>(table.rows[1].cells[0]), "February");
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[1].cells[1]), 50.0);
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[12].cells[2]), 25.0);
   results.workability = Workability{{0.7}, 0.7, 0.0};
   results.forecast_workability.reset();
   EXPECT_EQ(workability_table(results).rows.size(), 2U);

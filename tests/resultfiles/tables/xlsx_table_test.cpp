@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "resultfiles/tables/data_table.h"
 #include "runstore/append_file.h"
 #include "support/solved_case.h"
 #include "support/zip_text.h"
@@ -11,18 +12,15 @@
 namespace overbend {
 namespace {
 
-DataTable small_table() {
-  DataTable table;
-  table.name = "lay table: 1/2";
-  table.columns = {{"row"}, {"top tension [kN]", 1}, {"verdict"}};
-  table.rows = {
-      {std::string("step"), 251.25, VerdictCell{VerdictKind::passed, "passed"}},
-      {std::string("a & b"), std::numeric_limits<double>::quiet_NaN(), VerdictCell{VerdictKind::exceeded, "exceeded"}},
-      {std::string("empty"), std::monostate(), VerdictCell{VerdictKind::exceeded, "no lay"}}};
+Table small_table() {
+  Table table{"lay table: 1/2", {TableColumn("row"), {"top tension", "N", 1}, TableColumn("verdict")}};
+  table.row({"step", 251.25e3, VerdictCell{VerdictKind::passed, "passed"}});
+  table.row({"a & b", std::numeric_limits<double>::quiet_NaN(), VerdictCell{VerdictKind::exceeded, "exceeded"}});
+  table.row({"empty", TableCell(), VerdictCell{VerdictKind::exceeded, "no lay"}});
   return table;
 }
 
-std::map<std::string, std::string> parts_of(const DataTable& table) {
+std::map<std::string, std::string> parts_of(const Table& table) {
   const testing::TemporaryFolder folder;
   write_xlsx({table}, folder / "table.xlsx");
   return testing::zip_texts(testing::file_text(folder / "table.xlsx"));
@@ -51,20 +49,9 @@ TEST(xlsx_table, head_is_frozen_and_columns_have_their_decimals) {
 
 TEST(xlsx_table, the_same_table_gives_the_same_bytes) {
   const testing::TemporaryFolder folder;
-  write_xlsx({small_table(),
-              [] {
-                DataTable second = small_table();
-                second.name = "second";
-                return second;
-              }()},
-             folder / "a.xlsx");
-  write_xlsx({small_table(),
-              [] {
-                DataTable second = small_table();
-                second.name = "second";
-                return second;
-              }()},
-             folder / "b.xlsx");
+  Table second = small_table();
+  second.title = "second";
+  for (const char* name : {"a.xlsx", "b.xlsx"}) write_xlsx({small_table(), second}, folder / name);
   EXPECT_EQ(testing::file_text(folder / "a.xlsx"), testing::file_text(folder / "b.xlsx"));
   EXPECT_EQ(testing::zip_texts(testing::file_text(folder / "a.xlsx")).at("docProps/core.xml").find("2026"),
             std::string::npos);

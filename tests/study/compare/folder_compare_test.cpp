@@ -6,6 +6,7 @@
 
 #include "app/program.h"
 #include "app/small_lay.h"
+#include "report/page_text.h"
 #include "report/studies/folder_comparison_page.h"
 #include "resultfiles/studies/folder_comparison_writer.h"
 #include "support/solved_case.h"
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 using testing::kSmallLay;
 using testing::ProgramRun;
 using testing::run_program;
+using testing::shown_text;
 using testing::TemporaryFolder;
 using testing::with;
 
@@ -67,7 +69,8 @@ TEST(folder_compare, page_and_table_hold_what_differs) {
   const TemporaryFolder folder;
   const fs::path one = solve(folder, "one", kSmallLay), other = solve(folder, "other", kTighter);
   const FolderComparison comparison = compare_folders({one, other});
-  const std::string table = folder_comparison_table(comparison), page = folder_comparison_html(comparison);
+  const std::string table = folder_comparison_table(comparison),
+                    page = shown_text(folder_comparison_document(comparison).body);
   EXPECT_NE(table.find("input,tensioner.tension,,300 kN,0.33 MN,"), std::string::npos);
   EXPECT_NE(table.find("result,static.top_tension,kN,300.0"), std::string::npos) << table;  // the effective one
   EXPECT_NE(page.find("0.33 MN"), std::string::npos);

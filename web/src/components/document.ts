@@ -1,7 +1,7 @@
 // What a report is made of: the data that the program writes (src/overbend/report/page/blocks.h) and components draw.
 
 /** A number in the unit of its column, words, a verdict, or nothing. */
-export type Cell = number | string | { verdict: 'passed' | 'reserved' | 'exceeded' | 'not_judged'; text: string } | null;
+export type Cell = number | string | { verdict: 'passed' | 'reserved' | 'exceeded' | 'not judged'; text: string } | null;
 
 export interface Column {
   title: string;
@@ -59,7 +59,7 @@ export interface Bar { title: string; utilisation: number; what: string }
 
 export interface FindingData { severity: 'serious' | 'caution' | 'note'; text: string; code: string }
 
-export interface VerdictData { kind: 'passed' | 'reserved' | 'exceeded' | 'not_judged'; words: string; because: string }
+export interface VerdictData { kind: 'passed' | 'reserved' | 'exceeded' | 'not judged'; words: string; because: string }
 
 /** The first page. */
 export interface Front {

@@ -6,6 +6,3 @@ export function upright(length: number, plot: { top: number; bottom: number }, c
   if (!curves || curves[1] < plot.bottom - length) return 'low';
   return curves[0] > plot.top + length ? 'high' : null;
 }
-
-/** Every so many names along an axis are written so that none runs into the next. */
-export const nameStep = (names: readonly string[], each: number, letter: number): number => Math.max(1, Math.ceil((letter * Math.max(...names.map((n) => n.length), 1) + letter) / each));

@@ -23,16 +23,6 @@ export function usualRange(vary: LayTableVary, lay: { top_tension: number; lay_b
   return { vary, from, to, steps: '16' };
 }
 
-/** Of numbers that are shown: a few round values within. */
-export function ticks(low: number, high: number, about = 4): number[] {
-  const step0 = (high - low) / about, power = 10 ** Math.floor(Math.log10(step0));
-  const away = (n: number): number => Math.abs(Math.log(n * power / step0));
-  const step = power * [1, 2, 5, 10].reduce((best, n) => (away(n) < away(best) ? n : best));
-  const list: number[] = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) list.push(Number((k * step).toPrecision(12)));
-  return list;
-}
-
 /** Bounds of a panel, a little wider than its curves. */
 export function bounds(panel: LayTableCurves['panels'][number]): { x: [number, number]; y: [number, number] } {
   const points = panel.series.flatMap((s) => s.points);

@@ -1,5 +1,6 @@
 // How results are shown: names, units and factors from SI come from the program's table of quantities.
 import { quantities as table, shownUnits, type ShownUnit } from '../api/results';
+import { makeUnits } from '../components/units';
 import { tidy } from './units';
 
 /** The system of units of everything shown; the program says it with the page. Typed values keep the unit they have. */
@@ -27,8 +28,14 @@ export const numberIn = (value: number, si: string, digits = 4): string => tidy(
 /** The same with its unit: "276.5 kN". */
 export const text = (value: number, si: string, digits = 4): string => `${numberIn(value, si, digits)} ${shownUnit(si).unit}`;
 
+/** The same for components, which know neither dashes for plain numbers nor "mm". */
+export const pageUnits = makeUnits((si) => {
+  const { unit, factor, more } = shownUnit(si === 'section' ? 'mm' : si);
+  return { name: unit === '–' ? '' : unit, factor, more };
+});
+
 /** With so many decimals as a metric value has. */
-export const fixedIn = (value: number, si: string, decimals: number): string => { const u = shownUnit(si); return (value * u.factor).toFixed(Math.max(0, decimals + u.more)); };
+export const fixedIn = pageUnits.number;
 
 export const unitName = (si: string): string => shownUnit(si).unit;
 

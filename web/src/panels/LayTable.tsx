@@ -2,8 +2,9 @@
 import { effect, signal } from '@preact/signals';
 import { useState } from 'preact/hooks';
 import { ApiError, address, post } from '../api/client';
-import type { LayTable, LayTableAnswer, LayTableCurves, LayTableVary } from '../api/types';
-import { bounds, rangeOf, ticks, usualRange, wishFault, type LayTableWish } from '../logic/laytable';
+import type { LayTable, LayTableAnswer, LayTableVary } from '../api/types';
+import { LayTableCharts } from '../components/LayTableCharts';
+import { rangeOf, usualRange, wishFault, type LayTableWish } from '../logic/laytable';
 import { bullets } from '../logic/findings';
 import { byPath, opened, revision } from '../state/model';
 import { calmLay } from '../state/shown';
@@ -41,24 +42,8 @@ function Rows({ of }: { of: LayTable }) {
   );
 }
 
-const kWide = 300, kTall = 150, kLeft = 46, kBottom = 24, kTop = 18;
-
-function Curve({ panel, curves }: { panel: LayTableCurves['panels'][number]; curves: LayTableCurves }) {
-  const { x: [x0, x1], y: [y0, y1] } = bounds(panel);
-  const px = (x: number): number => kLeft + ((x - x0) / (x1 - x0)) * (kWide - kLeft - 8);
-  const py = (y: number): number => kTall - kBottom - ((y - y0) / (y1 - y0)) * (kTall - kBottom - kTop);
-  const from = px(Math.max(curves.least ?? x0, x0)), to = px(Math.min(curves.largest ?? x1, x1));
-  return (
-    <svg viewBox={`0 0 ${kWide} ${kTall}`} role="img" aria-label={`${panel.title} over ${curves.axis}`} class="laycurve">
-      {curves.least !== null || curves.largest !== null ? <rect class="range" x={from} width={Math.max(to - from, 0)} y={kTop} height={kTall - kBottom - kTop} /> : null}
-      {ticks(y0, y1).map((y) => <g key={y}><line class="grid" x1={kLeft} x2={kWide - 8} y1={py(y)} y2={py(y)} /><text x={kLeft - 4} y={py(y) + 4} text-anchor="end">{y}</text></g>)}
-      {ticks(x0, x1).map((x) => <g key={x}><line class="grid" x1={px(x)} x2={px(x)} y1={kTop} y2={kTall - kBottom} /><text x={px(x)} y={kTall - 8} text-anchor="middle">{x}</text></g>)}
-      {panel.limit !== null ? <line class="limit" x1={kLeft} x2={kWide - 8} y1={py(panel.limit)} y2={py(panel.limit)} /> : null}
-      {panel.series.map((s, k) => <path key={s.name} class={`line k${k}`} d={s.points.map((p, i) => `${i ? 'L' : 'M'}${px(p[0])} ${py(p[1])}`).join('')}><title>{s.name}</title></path>)}
-      <text class="title" x={kLeft} y={12}>{panel.title}{panel.series.length > 1 ? `: ${panel.series.map((s) => s.name).join(', ')}` : ''}</text>
-    </svg>
-  );
-}
+/** In the colours of the page, light or dark. */
+const look = { curves: ['var(--pipe)', '#e07b1a'], limit: 'var(--bad)', passing: 'var(--range)' };
 
 function Made({ of }: { of: LayTable }) {
   return (
@@ -70,7 +55,7 @@ function Made({ of }: { of: LayTable }) {
       <Findings list={bullets(of.findings, [])} />
       <Rows of={of} />
       <p class="brief">{of.curves.axis}; shaded where the lay passes.</p>
-      {of.curves.panels.map((panel) => <Curve key={panel.title} panel={panel} curves={of.curves} />)}
+      <div class="laycurves drawn"><LayTableCharts table={of.curves} look={look} width={340} /></div>
     </>
   );
 }

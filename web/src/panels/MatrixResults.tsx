@@ -8,7 +8,7 @@ import { setKeys } from '../state/model';
 import { say, sayError } from '../state/notices';
 import { reportAddress, reportToShow, runName, select, tableAddress } from '../state/runs';
 import { matrix } from '../state/studies';
-import { axisName, axisWord, Curve, HeatMap } from './MatrixChart';
+import { axisName, axisWord, CaseMap, Curve } from './MatrixChart';
 import { ReportLinks } from './ReportLinks';
 import { Standing } from './RunResults';
 import { Findings } from './Findings';
@@ -92,7 +92,7 @@ function Charts({ m }: { m: Matrix }) {
         <div key={a} class="row wide"><label for={`fix-${a}`}>{m.inputs[a]!.key}</label>
           <select id={`fix-${a}`} value={fixed[a] ?? 0} onChange={(e) => setFixed({ ...fixed, [a]: Number(e.currentTarget.value) })}>{m.inputs[a]!.words.map((word, i) => <option key={i} value={i}>{word}</option>)}</select></div>
       ))}
-      {axes.length === 2 ? <HeatMap {...chart} /> : axes.length === 1 ? <Curve {...chart} /> : null}
+      {axes.length === 2 ? <CaseMap {...chart} /> : axes.length === 1 ? <Curve {...chart} /> : null}
       {now ? <Chosen m={m} cell={now} /> : axes.length ? <p class="brief">Choose a case in the chart to see it.</p> : null}
     </>
   );

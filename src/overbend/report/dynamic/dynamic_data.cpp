@@ -7,11 +7,11 @@
 
 #include "report/dynamic/fatigue_section.h"
 #include "report/dynamic/history_data.h"
-#include "report/page/places.h"
 #include "report/page/report_style.h"
 #include "report/page/thinning.h"
 #include "report/static/mooring_data.h"
 #include "results/fields/dynamic_values.h"
+#include "results/fields/places.h"
 
 namespace overbend {
 namespace {

@@ -59,21 +59,20 @@ std::vector<Figure> all_figures(bool pipe) {
 
 }  // namespace
 
-std::string dynamic_figures_section(const StaticResults& statics, const DynamicResults& results, int& number) {
+Blocks dynamic_figures_section(const StaticResults& statics, const DynamicResults& results) {
   std::set<std::string> groups;
   for (const Json& history : history_data(statics, results)) {
     groups.insert(history["group"].get<std::string>());
   }
   const bool supported = !results.supports.empty();
   const auto makes_sense = [&](const Figure& figure, const std::string& part) {
-    const std::string id = figure.id;
-    if (id == "history") return groups.count(part) != 0;
-    if (id == "spectra") return !spectrum_data(results).empty();
-    if (id == "impacts") return !results.hardest_impacts.empty();
+    if (figure.id == "history") return groups.contains(part);
+    if (figure.id == "spectra") return !spectrum_data(results).empty();
+    if (figure.id == "impacts") return !results.hardest_impacts.empty();
     return supported || (part == "whole" && statics.has_pipe());
   };
-  return figure_section("dynamic-figures", "Figures of the dynamic analysis",
-                        figure_list(all_figures(statics.has_pipe()), makes_sense, number));
+  return block::section("dynamic-figures", "Figures of the dynamic analysis",
+                        figure_list(all_figures(statics.has_pipe()), makes_sense));
 }
 
 }  // namespace overbend

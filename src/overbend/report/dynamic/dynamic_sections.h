@@ -1,4 +1,4 @@
-/// The parts of a dynamic report that are words and tables. Each returns HTML; empty where there is nothing to say.
+/// The parts of a dynamic report that are words and tables; empty where there is nothing to say.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/description/description.h"
+#include "report/page/blocks.h"
 #include "results/dynamic_results.h"
 
 namespace overbend {
@@ -16,16 +17,16 @@ std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticRes
                                                                  const DynamicResults& results,
                                                                  const std::optional<Description>& description,
                                                                  const std::string& written);
-std::string dynamic_key_results(const StaticResults& statics, const DynamicResults& results);
+Blocks dynamic_key_results(const StaticResults& statics, const DynamicResults& results);
 /// Statistics of the key quantities and the most probable extremes.
-std::string dynamic_statistics_section(const StaticResults& statics, const DynamicResults& results);
+Blocks dynamic_statistics_section(const StaticResults& statics, const DynamicResults& results);
 /// Boxes over time.
-std::string dynamic_supports_section(const DynamicResults& results);
+Blocks dynamic_supports_section(const DynamicResults& results);
 /// Rollers one by one, for the appendix.
-std::string dynamic_rollers_section(const DynamicResults& results);
-std::string impacts_section(const StaticResults& statics, const DynamicResults& results);
-std::string tensioner_section(const StaticResults& statics, const DynamicResults& results);
+Blocks dynamic_rollers_section(const DynamicResults& results);
+Blocks impacts_section(const StaticResults& statics, const DynamicResults& results);
+Blocks tensioner_section(const StaticResults& statics, const DynamicResults& results);
 /// Energy balance and the course of the run.
-std::string dynamic_run_section(const DynamicResults& results);
+Blocks dynamic_run_section(const DynamicResults& results);
 
 }  // namespace overbend

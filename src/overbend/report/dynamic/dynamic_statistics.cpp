@@ -1,18 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "report/dynamic/dynamic_sections.h"
-#include "report/page/html.h"
 #include "report/page/key_spread.h"
 #include "report/page/quantity.h"
 #include "report/page/static_value.h"
 
 namespace overbend {
 namespace {
-
-using html::fixed;
 
 /// Forces, moments, stresses and strains grow by a factor; lengths and angles do not.
 bool has_ratio(const std::string& units) {
@@ -22,26 +18,17 @@ bool has_ratio(const std::string& units) {
 /// The table of statistics: each quantity in its own unit.
 class Statistics {
  public:
-  Statistics(const StaticResults& statics, const DynamicResults& results)
-      : statics_(statics),
-        results_(results),
-        table_("Statistics over time",
-               {{"Quantity", "", true},
-                {"Unit", "", true},
-                {"Static", ""},
-                {"Min", ""},
-                {"Mean", ""},
-                {"Max", ""},
-                {"Std. dev.", ""},
-                {"Max / static", ""}},
-               "plain full") {}
+  Statistics(const StaticResults& statics, const DynamicResults& results) : statics_(statics), results_(results) {
+    for (const char* column : {"Static", "Min", "Mean", "Max", "Std. dev."}) table_.column(TableColumn::texts(column));
+    table_.column({"Max / static", "-", 2});
+  }
 
   void add(const std::string& name, const std::string& units, const Spread& spread, bool largest = false) {
     const Quantity q = quantity(name, units);
     const std::optional<double> before = static_value(statics_, results_, name);
     table_.row({largest ? q.name + ", maximum of the region" : q.name, q.unit, before ? q.text(*before) : "",
                 q.text(spread.min), q.text(spread.mean), q.text(spread.max), q.text(spread.std),
-                before && *before > 0.0 && has_ratio(units) ? fixed(spread.max / *before, 2) : ""});
+                before && *before > 0.0 && has_ratio(units) ? TableCell(spread.max / *before) : TableCell()});
   }
 
   void add_region(const std::string& region, const DynamicRegion& r) {
@@ -57,61 +44,60 @@ class Statistics {
     }
   }
 
-  std::string str() const { return table_.str(); }
+  const Table& table() const { return table_; }
 
  private:
   const StaticResults& statics_;
   const DynamicResults& results_;
-  html::Table table_;
+  Table table_{"Statistics over time", {TableColumn("Quantity"), TableColumn("Unit")}, "plain full"};
 };
 
-void add_pipe(Statistics& table, const StaticResults& statics, const DynamicResults& r) {
-  table.add("top_tension", "N", r.top_tension);
-  table.add("bottom_tension", "N", r.bottom_tension);
+void add_pipe(Statistics& rows, const StaticResults& statics, const DynamicResults& r) {
+  rows.add("top_tension", "N", r.top_tension);
+  rows.add("bottom_tension", "N", r.bottom_tension);
   if (statics.overbend) {
-    table.add_region("overbend", r.overbend);
+    rows.add_region("overbend", r.overbend);
   }
-  table.add_region("sagbend", r.sagbend);
-  table.add("lay_back", "m", r.lay_back);
-  table.add("departure_angle", "rad", r.departure_angle);
+  rows.add_region("sagbend", r.sagbend);
+  rows.add("lay_back", "m", r.lay_back);
+  rows.add("departure_angle", "rad", r.departure_angle);
   if (statics.stinger_tip_clearance) {
-    table.add("stinger_tip_clearance", "m", r.stinger_tip_clearance);
+    rows.add("stinger_tip_clearance", "m", r.stinger_tip_clearance);
   }
   for (const StingerSectionDynamics& section : r.stinger) {
     const std::string of = "stinger/" + section.name + "/";
-    table.add(of + "angle", "rad", section.angle);
-    table.add(of + "hinge_force", "N", section.hinge_force);
-    table.add(of + "hinge_longitudinal", "N", section.hinge_longitudinal);
-    table.add(of + "hinge_vertical", "N", section.hinge_vertical);
-    table.add(of + "stop_moment", "N m", section.stop_moment);
-    table.add(of + "draught", "m", section.draught);
+    rows.add(of + "angle", "rad", section.angle);
+    rows.add(of + "hinge_force", "N", section.hinge_force);
+    rows.add(of + "hinge_longitudinal", "N", section.hinge_longitudinal);
+    rows.add(of + "hinge_vertical", "N", section.hinge_vertical);
+    rows.add(of + "stop_moment", "N m", section.stop_moment);
+    rows.add(of + "draught", "m", section.draught);
   }
 }
 
-std::string statistics_table(const StaticResults& statics, const DynamicResults& r) {
-  Statistics table(statics, r);
-  if (statics.has_pipe()) add_pipe(table, statics, r);
+Table statistics_table(const StaticResults& statics, const DynamicResults& r) {
+  Statistics rows(statics, r);
+  if (statics.has_pipe()) add_pipe(rows, statics, r);
   for (const char* name : {"elevation", "surge", "sway", "heave", "roll", "pitch", "yaw"}) {
-    table.add_history(name);
+    rows.add_history(name);
   }
   for (const HistorySummary& history : r.histories) {
-    if (history.name.starts_with("line/")) table.add(history.name, history.units, history.over_time);
+    if (history.name.starts_with("line/")) rows.add(history.name, history.units, history.over_time);
   }
-  return table.str();
+  return rows.table();
 }
 
 bool is_of_moorings(const ExtremeEstimate& extreme) {
-  return extreme.name.rfind("mooring/", 0) == 0;
+  return extreme.name.starts_with("mooring/");
 }
 
-std::vector<std::string> extreme_cells(const StaticResults& statics, const DynamicResults& r,
-                                       const ExtremeEstimate& e) {
+std::vector<TableCell> extreme_cells(const StaticResults& statics, const DynamicResults& r, const ExtremeEstimate& e) {
   const Quantity q = quantity(e.name, e.units);
   const std::optional<double> before = static_value(statics, r, e.name);
   const std::optional<Spread> spread = key_spread(r, e.name);
   const double observed = !spread ? e.observed : e.smallest ? spread->min : spread->max;
-  std::vector<std::string> cells = {e.smallest ? q.name + ", smallest" : q.name, q.unit, before ? q.text(*before) : "",
-                                    q.text(observed), std::to_string(e.peaks)};
+  std::vector<TableCell> cells = {e.smallest ? q.name + ", smallest" : q.name, q.unit, before ? q.text(*before) : "",
+                                  q.text(observed), e.peaks};
   const auto put = [&](const std::optional<double>& value, const std::optional<double>& low,
                        const std::optional<double>& high) {
     cells.push_back(value ? q.text(*value) : "");
@@ -124,7 +110,7 @@ std::vector<std::string> extreme_cells(const StaticResults& statics, const Dynam
 }
 
 /// Why estimates are not good, each reason once with the quantities that have it.
-std::string extreme_remarks(const DynamicResults& r, bool of_moorings) {
+Blocks extreme_remarks(const DynamicResults& r, bool of_moorings) {
   std::vector<std::pair<std::string, std::string>> reasons;
   for (const ExtremeEstimate& e : r.extremes) {
     if (is_of_moorings(e) != of_moorings || e.remark.empty()) continue;
@@ -136,52 +122,48 @@ std::string extreme_remarks(const DynamicResults& r, bool of_moorings) {
       known->second += "; " + name;
     }
   }
-  std::string text;
-  for (const auto& [remark, names] : reasons) {
-    text += fmt::format("<p class=\"small\">{}: {}.</p>\n", html::escape(names), html::escape(remark));
-  }
-  return text;
+  Blocks remarks;
+  for (const auto& [remark, names] : reasons) remarks += block::remark(names + ": " + remark + ".");
+  return remarks;
 }
 
 /// Of the lay, or of the mooring lines, which are many with long names. Empty where there are none.
-std::string extremes_table(const StaticResults& statics, const DynamicResults& r, bool of_moorings) {
-  html::Table table(of_moorings ? "Most probable extremes of the mooring lines in three hours"
-                                : "Most probable extremes in three hours",
-                    {{"Quantity", "", true},
-                     {"Unit", "", true},
-                     {"Static", ""},
-                     {"Observed", ""},
-                     {"Peaks", ""},
-                     {"estimate", ""},
-                     {"95 % interval", ""},
-                     {"by", "", true},
-                     {"estimate", ""},
-                     {"95 % interval", ""}},
-                    of_moorings ? "dense" : "plain full");
+Blocks extremes_table(const StaticResults& statics, const DynamicResults& r, bool of_moorings) {
+  const TableColumn estimate = TableColumn::texts("estimate"), interval = TableColumn::texts("95 % interval");
+  Table table{of_moorings ? "Most probable extremes of the mooring lines in three hours"
+                          : "Most probable extremes in three hours",
+              {TableColumn("Quantity"),
+               TableColumn("Unit"),
+               TableColumn::texts("Static"),
+               TableColumn::texts("Observed"),
+               {"Peaks", "", 0},
+               estimate,
+               interval,
+               TableColumn("by"),
+               estimate,
+               interval},
+              of_moorings ? "dense" : "plain full"};
   table.groups({{"", 5}, {"Most probable in three hours", 3}, {"Gumbel, to compare", 2}});
-  bool any = false;
   for (const ExtremeEstimate& e : r.extremes) {
-    if (is_of_moorings(e) != of_moorings) continue;
-    table.row(extreme_cells(statics, r, e));
-    any = true;
+    if (is_of_moorings(e) == of_moorings) table.row(extreme_cells(statics, r, e));
   }
-  return any ? table.str() + extreme_remarks(r, of_moorings) : "";
+  return Blocks(table) + extreme_remarks(r, of_moorings);
 }
 
-std::string extremes(const StaticResults& statics, const DynamicResults& r) {
-  if (r.extremes.empty()) return "";
+Blocks extremes(const StaticResults& statics, const DynamicResults& r) {
+  if (r.extremes.empty()) return {};
   return extremes_table(statics, r, false) + extremes_table(statics, r, true) +
-         "<p class=\"small\">Interval: 95 % confidence. Peaks are the maxima between mean up-crossings after the "
-         "build-up. Where too few of them, or no distribution that describes the largest, only the observed value is "
-         "given. "
-         "Observed: maximum of this run, whose duration may differ from three hours.</p>\n";
+         block::remark(
+             "Interval: 95 % confidence. Peaks are the maxima between mean up-crossings after the build-up. Where too "
+             "few of them, or no distribution that describes the largest, only the observed value is given. Observed: "
+             "maximum of this run, whose duration may differ from three hours.");
 }
 
 }  // namespace
 
-std::string dynamic_statistics_section(const StaticResults& statics, const DynamicResults& results) {
-  return html::section("statistics", "Statistics and extremes",
-                       statistics_table(statics, results) + extremes(statics, results));
+Blocks dynamic_statistics_section(const StaticResults& statics, const DynamicResults& results) {
+  return block::section("statistics", "Statistics and extremes",
+                        statistics_table(statics, results) + extremes(statics, results));
 }
 
 }  // namespace overbend

@@ -7,13 +7,10 @@
 
 #include "report/dynamic/dynamic_contacts.h"
 #include "report/dynamic/dynamic_sections.h"
-#include "report/page/html.h"
 #include "report/page/quantity.h"
 
 namespace overbend {
 namespace {
-
-using html::fixed;
 
 /// "never" and "always" are distinguished from fractions that only round to them.
 std::string share(double part) {
@@ -23,176 +20,151 @@ std::string share(double part) {
 }
 
 /// The boxes that the pipe left, in the order of time; empty where it stayed on all.
-std::string left_boxes(const DynamicResults& results) {
+Blocks left_boxes(const DynamicResults& results) {
   std::vector<std::pair<double, std::string>> left;
   for (const SupportDynamics& box : results.supports) {
     if (box.left_to_port) left.emplace_back(*box.left_to_port, box.name + " to port");
     if (box.left_to_starboard) left.emplace_back(*box.left_to_starboard, box.name + " to starboard");
   }
-  if (left.empty()) return "";
-  std::stable_sort(left.begin(), left.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  if (left.empty()) return {};
+  std::ranges::stable_sort(left, {}, &std::pair<double, std::string>::first);
   std::string text;
-  for (const auto& [time, words] : left) {
-    text += (text.empty() ? "" : ", ") + fmt::format("{} at t = {:.1f} s", html::escape(words), time);
+  for (const auto& [time, side] : left) {
+    text += (text.empty() ? "" : ", ") + fmt::format("{} at t = {:.1f} s", side, time);
   }
-  return "<p>The pipe left over their sides: " + text + ".</p>\n";
+  return block::paragraph("The pipe left over their sides: " + text + ".");
 }
 
-std::string support_table(const DynamicResults& results) {
-  html::Table table("Roller boxes over time",
-                    {{"Box", "", true},
-                     {"On", "", true},
-                     {"static", shown_name("N")},
-                     {"min", shown_name("N")},
-                     {"mean", shown_name("N")},
-                     {"99 %", shown_name("N")},
-                     {"max", shown_name("N")},
-                     {"std", shown_name("N")},
-                     {"vertical max", shown_name("N")},
-                     {"lateral range", shown_name("N")},
-                     {"static", shown_name("m")},
-                     {"min", shown_name("m")},
-                     {"max", shown_name("m")},
-                     {"Contact", "% of time"},
-                     {"count", ""},
-                     {"largest", shown_name("N")}},
-                    "dense boxes");
+Blocks support_table(const DynamicResults& results) {
+  Table table{"Roller boxes over time",
+              {TableColumn("Box"),
+               TableColumn("On"),
+               {"static", "N", 1},
+               {"min", "N", 1},
+               {"mean", "N", 1},
+               {"99 %", "N", 1},
+               {"max", "N", 1},
+               {"std", "N", 1},
+               {"vertical max", "N", 1},
+               TableColumn::texts("lateral range", shown_name("N")),
+               {"static", "m", 4},
+               {"min", "m", 4},
+               {"max", "m", 4},
+               TableColumn::texts("Contact", "% of time"),
+               {"count", "", 0},
+               {"largest", "N", 1}},
+              "dense boxes"};
   table.groups({{"", 2}, {"Reaction on the pipe, resultant", 8}, {"Separation", 3}, {"", 1}, {"Impacts", 2}});
   for (const SupportDynamics& box : results.supports) {
     double impact = 0.0;
-    for (const RollerDynamics& r : box.rollers) {
-      impact = std::max(impact, r.largest_impact_force);
-    }
-    table.row({box.name, box.stinger ? "stinger" : "ramp", forces().text(box.static_reaction, 1),
-               forces().text(box.reaction.min, 1), forces().text(box.reaction.mean, 1),
-               forces().text(box.reaction_over_time.p99, 1), forces().text(box.reaction.max, 1),
-               forces().text(box.reaction.std, 1), forces().text(box.vertical.max, 1),
-               forces().text(box.lateral.min, 1) + " to " + forces().text(box.lateral.max, 1),
-               shown_number(box.static_separation, "m", 4), shown_number(box.separation.min, "m", 4),
-               shown_number(box.separation.max, "m", 4), share(box.contact_share), std::to_string(box.impact_count),
-               box.impact_count > 0 ? forces().text(impact, 1) : ""},
-              box.static_reaction > 0.0 || box.contact_share > 0.0 ? "loaded" : "");
+    for (const RollerDynamics& r : box.rollers) impact = std::max(impact, r.largest_impact_force);
+    table.row({box.name, box.stinger ? "stinger" : "ramp", box.static_reaction, box.reaction.min, box.reaction.mean,
+               box.reaction_over_time.p99, box.reaction.max, box.reaction.std, box.vertical.max,
+               forces().text(box.lateral.min, 1) + " to " + forces().text(box.lateral.max, 1), box.static_separation,
+               box.separation.min, box.separation.max, share(box.contact_share), box.impact_count,
+               box.impact_count > 0 ? TableCell(impact) : TableCell()},
+              box.static_reaction > 0.0 || box.contact_share > 0.0 ? RowMark::loaded : RowMark::none);
   }
-  return table.str() +
-         "<p class=\"small\">99 %: 99th percentile over time. Lateral: positive to port. Separation: clear distance "
-         "between pipe and roller, the smallest of the box's bottom rollers; negative is penetration due to the "
-         "contact stiffness. Contact: any roller of the box "
-         "carries.</p>\n" +
+  return Blocks(table) +
+         block::remark(
+             "99 %: 99th percentile over time. Lateral: positive to port. Separation: clear distance between pipe and "
+             "roller, the smallest of the box's bottom rollers; negative is penetration due to the contact stiffness. "
+             "Contact: any roller of the box carries.") +
          left_boxes(results);
 }
 
-std::string roller_table(const DynamicResults& results) {
-  html::Table table("",
-                    {{"Box", "", true},
-                     {"Row", ""},
-                     {"Roller", "", true},
-                     {"static", shown_name("N")},
-                     {"mean", shown_name("N")},
-                     {"max", shown_name("N")},
-                     {"static", shown_name("m")},
-                     {"min", shown_name("m")},
-                     {"max", shown_name("m")},
-                     {"Contact", "% of time"},
-                     {"count", ""},
-                     {"approach", shown_name("m/s")},
-                     {"force", shown_name("N")},
-                     {"impulse", std::string(impulse().name)},
-                     {"dent", clearances().unit},
-                     {"line load", shown_name("N/m")}},
-                    "dense rollers");
+Blocks roller_table(const DynamicResults& results) {
+  Table table{"",
+              {TableColumn("Box"),
+               {"Row", "", 0},
+               TableColumn("Roller"),
+               {"static", "N", 2},
+               {"mean", "N", 2},
+               {"max", "N", 2},
+               {"static", "m", 4},
+               {"min", "m", 4},
+               {"max", "m", 4},
+               TableColumn::texts("Contact", "% of time"),
+               {"count", "", 0},
+               {"approach", "m/s", 3},
+               {"force", "N", 2},
+               {"impulse", impulse(), 1},
+               {"dent", section_length(), 2},
+               {"line load", "N/m", 1}},
+              "dense rollers"};
   table.groups({{"", 3}, {"Reaction", 3}, {"Separation", 3}, {"", 1}, {"Impacts, largest", 4}, {"Largest force", 2}});
-  int count = 0;
   for (const SupportDynamics& box : results.supports) {
     for (const RollerDynamics& r : box.rollers) {
-      ++count;
-      const bool hit = r.impact_count > 0;
       const bool touched = r.contact_share > 0.0;
-      table.row({box.name, std::to_string(r.row + 1), word(r.position), forces().text(r.static_reaction, 2),
-                 forces().text(r.reaction.mean, 2), forces().text(r.reaction.max, 2),
-                 shown_number(r.static_separation, "m", 4), shown_number(r.separation.min, "m", 4),
-                 shown_number(r.separation.max, "m", 4), share(r.contact_share), std::to_string(r.impact_count),
-                 hit ? shown_number(r.largest_approach_velocity, "m/s", 3) : "",
-                 hit ? forces().text(r.largest_impact_force, 2) : "",
-                 hit ? shown_number(r.largest_impulse, impulse(), 1) : "", touched ? dents().text(r.dent_depth, 2) : "",
-                 touched ? line_loads().text(r.line_load, 1) : ""},
-                touched ? "loaded" : "");
+      const auto of_impact = [&](double value) { return r.impact_count > 0 ? TableCell(value) : TableCell(); };
+      const auto of_touch = [&](double value) { return touched ? TableCell(value) : TableCell(); };
+      table.row({box.name, r.row + 1, word(r.position), r.static_reaction, r.reaction.mean, r.reaction.max,
+                 r.static_separation, r.separation.min, r.separation.max, share(r.contact_share), r.impact_count,
+                 of_impact(r.largest_approach_velocity), of_impact(r.largest_impact_force),
+                 of_impact(r.largest_impulse), of_touch(r.dent_depth), of_touch(r.line_load)},
+                touched ? RowMark::loaded : RowMark::none);
     }
   }
-  return html::folded(fmt::format("All {} rollers", count), table.str());
+  return block::folded(fmt::format("All {} rollers", table.rows.size()), table);
 }
 
-html::Table impact_table(const std::string& caption) {
-  return html::Table(caption,
-                     {{"No.", ""},
-                      {"Time", "s"},
-                      {"Box", "", true},
-                      {"Row", ""},
-                      {"Roller", "", true},
-                      {"Approach velocity", shown_name("m/s")},
-                      {"Peak force", shown_name("N")},
-                      {"Duration", "ms"},
-                      {"Impulse", std::string(impulse().name)},
-                      {"Dent depth", clearances().unit},
-                      {"Line load", shown_name("N/m")}},
-                     "dense");
-}
-
-void impact_row(html::Table& table, const DynamicResults& results, std::size_t index) {
-  const Impact& impact = results.hardest_impacts[index];
-  const RollerPlace at = find_roller(results, impact.roller);
-  table.row({std::to_string(index + 1), fixed(impact.time, 2), at.box != nullptr ? at.box->name : "",
-             at.roller != nullptr ? std::to_string(at.roller->row + 1) : "",
-             at.roller != nullptr ? word(at.roller->position) : "", shown_number(impact.approach_velocity, "m/s", 3),
-             forces().text(impact.peak_force, 2), fixed(impact.duration * 1e3, 2),
-             shown_number(impact.impulse, impulse(), 1), dents().text(impact.dent_depth, 3),
-             line_loads().text(impact.line_load, 1)});
+/// The impacts from `first` to before `last`.
+Table impact_table(const std::string& title, const DynamicResults& results, std::size_t first, std::size_t last) {
+  Table table{title,
+              {{"No.", "", 0},
+               {"Time", "s", 2},
+               TableColumn("Box"),
+               {"Row", "", 0},
+               TableColumn("Roller"),
+               {"Approach velocity", "m/s", 3},
+               {"Peak force", "N", 2},
+               {"Duration", "ms", 2},
+               {"Impulse", impulse(), 1},
+               {"Dent depth", section_length(), 3},
+               {"Line load", "N/m", 1}},
+              "dense"};
+  for (std::size_t i = first; i < last; ++i) {
+    const Impact& impact = results.hardest_impacts[i];
+    const RollerPlace place = find_roller(results, impact.roller);
+    std::vector<TableCell> cells = {i + 1, impact.time, "", "", ""};
+    if (place.roller != nullptr) {
+      cells = {i + 1, impact.time, place.box->name, place.roller->row + 1, word(place.roller->position)};
+    }
+    cells.insert(cells.end(), {impact.approach_velocity, impact.peak_force, 1e3 * impact.duration, impact.impulse,
+                               impact.dent_depth, impact.line_load});
+    table.row(cells);
+  }
+  return table;
 }
 
 }  // namespace
 
-std::string dynamic_supports_section(const DynamicResults& results) {
-  if (results.supports.empty()) {
-    return "";
-  }
-  return html::section("dynamic-supports", "Supports over time", support_table(results));
+Blocks dynamic_supports_section(const DynamicResults& results) {
+  if (results.supports.empty()) return {};
+  return block::section("dynamic-supports", "Supports over time", support_table(results));
 }
 
-std::string dynamic_rollers_section(const DynamicResults& results) {
-  return results.supports.empty()
-             ? ""
-             : html::section("dynamic-rollers", "Appendix: individual rollers over time", roller_table(results));
+Blocks dynamic_rollers_section(const DynamicResults& results) {
+  return block::section("dynamic-rollers", "Appendix: individual rollers over time", roller_table(results));
 }
 
-std::string impacts_section(const StaticResults& statics, const DynamicResults& results) {
-  if (statics.supports.empty()) {
-    return "";
-  }
-  constexpr std::size_t kPrinted = 20;
-  const std::size_t count = results.hardest_impacts.size();
+Blocks impacts_section(const StaticResults& statics, const DynamicResults& results) {
+  if (statics.supports.empty()) return {};
+  const std::size_t count = results.hardest_impacts.size(), first = std::min<std::size_t>(count, 20);
   if (count == 0) {
-    return html::section("impacts", "Impacts", "<p>The pipe never lands on a roller after leaving it.</p>\n");
+    return block::section("impacts", "Impacts", block::paragraph("The pipe never lands on a roller after leaving it."));
   }
-  const std::size_t first = std::min(count, kPrinted);
-  html::Table table = impact_table(first < static_cast<std::size_t>(results.impact_count)
-                                       ? fmt::format("The {} hardest of {}", first, results.impact_count)
-                                       : "All impacts, hardest first");
-  for (std::size_t i = 0; i < first; ++i) {
-    impact_row(table, results, i);
-  }
-  std::string body = table.str();
-  if (count > first) {
-    html::Table more = impact_table("");
-    for (std::size_t i = first; i < count; ++i) {
-      impact_row(more, results, i);
-    }
-    body += html::folded(fmt::format("The next {}", count - first), more.str(), false);
-  }
-  return html::section("impacts", "Impacts",
-                       body +
-                           "<p class=\"small\">Duration: from first contact until the pipe leaves the roller or rests "
-                           "on it. Dent depth: in bare steel under the peak force, neglecting the coating. Line load: "
-                           "peak force over the length of the "
-                           "coating under the roller.</p>\n");
+  const std::string title = first < static_cast<std::size_t>(results.impact_count)
+                                ? fmt::format("The {} hardest of {}", first, results.impact_count)
+                                : "All impacts, hardest first";
+  return block::section(
+      "impacts", "Impacts",
+      impact_table(title, results, 0, first) +
+          block::folded(fmt::format("The next {}", count - first), impact_table("", results, first, count), false) +
+          block::remark(
+              "Duration: from first contact until the pipe leaves the roller or rests on it. Dent depth: in bare steel "
+              "under the peak force, neglecting the coating. Line load: peak force over the length of the coating "
+              "under the roller."));
 }
 
 }  // namespace overbend

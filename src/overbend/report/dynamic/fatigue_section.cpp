@@ -4,12 +4,9 @@
 
 #include <algorithm>
 
-#include "base/shown_unit.h"
-#include "report/page/figure_list.h"
-#include "report/page/html.h"
 #include "report/page/json_number.h"
-#include "report/page/places.h"
 #include "report/page/thinning.h"
+#include "results/fields/places.h"
 
 namespace overbend {
 namespace {
@@ -25,29 +22,27 @@ std::size_t worst_station(const FatigueSpot& spot) {
   return static_cast<std::size_t>(std::max_element(spot.rate.begin(), spot.rate.end()) - spot.rate.begin());
 }
 
-std::string spots_table(const StaticResults& statics, const DynamicResults& results) {
-  html::Table table("Fatigue of welds: damage on the way and allowable standby",
-                    {{"Spot", "", true},
-                     {"S-N curve", "", true},
-                     {"Stress factor", "-"},
-                     {"Largest damage", "1/h"},
-                     {"Along pipe", shown_name("m")},
-                     {"Place", "", true},
-                     {"Stress range", shown_name("Pa")},
-                     {"Cycles", "1/h"},
-                     {"Damage on the way", "-"},
-                     {"Allowable standby", "h"}},
-                    "dense");
-  const FatigueResults& fatigue = *results.fatigue;
+Table spots_table(const StaticResults& statics, const FatigueResults& fatigue) {
+  Table table{"Fatigue of welds: damage on the way and allowable standby",
+              {TableColumn("Spot"),
+               TableColumn("S-N curve"),
+               {"Stress factor", "-", 3},
+               TableColumn::texts("Largest damage", "1/h"),
+               {"Along pipe", "m", 1},
+               TableColumn("Place"),
+               {"Stress range", "Pa", 1},
+               {"Cycles", "1/h", 0},
+               TableColumn::texts("Damage on the way"),
+               {"Allowable standby", "h", 1}},
+              "dense"};
   for (const FatigueSpot& spot : fatigue.spots) {
     const std::size_t worst = worst_station(spot);
-    table.row({spot.name, spot.curve, html::fixed(spot.stress_factor, 3), damage_text(kHour * spot.worst_rate),
-               shown_number(from_tensioner(statics, spot.worst_s), "m", 1), place_name(statics, spot.worst_s),
-               shown_number(spot.range[worst], "Pa", 1), html::fixed(kHour * spot.cycles[worst], 0),
-               damage_text(spot.path_damage), html::fixed(spot.standby / kHour, 1)},
-              fatigue.design_factor * spot.path_damage > fatigue.budget ? "over" : "");
+    table.row({spot.name, spot.curve, spot.stress_factor, damage_text(kHour * spot.worst_rate),
+               from_tensioner(statics, spot.worst_s), place_name(statics, spot.worst_s), spot.range[worst],
+               kHour * spot.cycles[worst], damage_text(spot.path_damage), spot.standby / kHour},
+              fatigue.design_factor * spot.path_damage > fatigue.budget ? RowMark::over : RowMark::none);
   }
-  return table.str();
+  return table;
 }
 
 /// Every spot's largest rate is kept where stations are thinned.
@@ -59,21 +54,22 @@ bool is_largest(const FatigueResults& fatigue, std::size_t i) {
 
 }  // namespace
 
-std::string fatigue_section(const StaticResults& statics, const DynamicResults& results, int& figure) {
-  if (!results.fatigue || results.fatigue->spots.empty()) return "";
+Blocks fatigue_section(const StaticResults& statics, const DynamicResults& results) {
+  if (!results.fatigue || results.fatigue->spots.empty()) return {};
   const FatigueResults& fatigue = *results.fatigue;
   const std::string note = fmt::format(
-      "<p class=\"small\">Budget {:.3g} with a design fatigue factor of {:.3g}; mean lay speed {}/h. The stress "
-      "range is the nominal one that gives the same damage at the rate of cycles beside it. Damage on the way and "
-      "rates are without the design fatigue factor; the standby is what a weld at the worst place has left beside its "
-      "way from the tensioner to the bed, in the sea of this run.</p>\n",
+      "Budget {:.3g} with a design fatigue factor of {:.3g}; mean lay speed {}/h. The stress range is the nominal one "
+      "that gives the same damage at the rate of cycles beside it. Damage on the way and rates are without the design "
+      "fatigue factor; the standby is what a weld at the worst place has left beside its way from the tensioner to the "
+      "bed, in the sea of this run.",
       fatigue.budget, fatigue.design_factor, shown(kHour * fatigue.lay_rate, "m", 1));
-  const std::vector<Figure> figures = {
-      {"fatigue", "Damage rate of a weld along the pipe, at the worst point round the section", {"whole", "overbend"}}};
-  const std::string drawn = figure_list(
-      figures, [&](const Figure&, const std::string& part) { return part == "whole" || !statics.supports.empty(); },
-      figure);
-  return html::section("fatigue", "Fatigue while laying", spots_table(statics, results) + note + drawn);
+  std::vector<std::string> parts = {"whole"};
+  if (!statics.supports.empty()) parts.push_back("overbend");
+  return block::section(
+      "fatigue", "Fatigue while laying",
+      Blocks(spots_table(statics, fatigue)) + block::remark(note) +
+          block::figure(
+              {"fatigue", "Damage rate of a weld along the pipe, at the worst point round the section", parts}));
 }
 
 Json fatigue_figure_data(const StaticResults& statics, const DynamicResults& results) {

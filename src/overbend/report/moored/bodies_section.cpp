@@ -1,53 +1,42 @@
 #include "report/moored/bodies_section.h"
 
-#include "report/page/html.h"
-#include "report/page/quantity.h"
-
 namespace overbend {
 namespace {
 
-std::string rest_table(const std::vector<BodyResult>& bodies) {
-  html::Table table("Bodies at rest",
-                    {{"Body", "", true},
-                     {"east", shown_name("m")},
-                     {"north", shown_name("m")},
-                     {"Heading", shown_name("rad")},
-                     {"ahead", shown_name("m")},
-                     {"to port", shown_name("m")},
-                     {"up", shown_name("m")},
-                     {"roll", shown_name("rad")},
-                     {"pitch", shown_name("rad")},
-                     {"yaw", shown_name("rad")},
-                     {"east", shown_name("N")},
-                     {"north", shown_name("N")},
-                     {"up", shown_name("N")}},
-                    "dense summary");
+Table rest_table(const std::vector<BodyResult>& bodies) {
+  Table table{"Bodies at rest",
+              {TableColumn("Body"),
+               {"east", "m", 2},
+               {"north", "m", 2},
+               {"Heading", "rad", 2},
+               {"ahead", "m", 3},
+               {"to port", "m", 3},
+               {"up", "m", 3},
+               {"roll", "rad", 3},
+               {"pitch", "rad", 3},
+               {"yaw", "rad", 3},
+               {"east", "N", 2},
+               {"north", "N", 2},
+               {"up", "N", 2}},
+              "dense summary"};
   table.groups({{"", 1}, {"Place", 2}, {"", 1}, {"From as drawn", 6}, {"Force of all lines on it", 3}});
   for (const BodyResult& b : bodies) {
-    table.row({b.name, shown_number(b.place.x(), "m", 2), shown_number(b.place.y(), "m", 2),
-               shown_number(b.heading, "rad", 2), shown_number(b.surge, "m", 3), shown_number(b.sway, "m", 3),
-               shown_number(b.heave, "m", 3), shown_number(b.roll, "rad", 3), shown_number(b.pitch, "rad", 3),
-               shown_number(b.yaw, "rad", 3), shown_number(b.force.x(), "N", 2), shown_number(b.force.y(), "N", 2),
-               shown_number(b.force.z(), "N", 2)});
+    table.row({b.name, b.place.x(), b.place.y(), b.heading, b.surge, b.sway, b.heave, b.roll, b.pitch, b.yaw,
+               b.force.x(), b.force.y(), b.force.z()});
   }
-  return table.str();
+  return table;
 }
 
-std::string time_table(const std::vector<BodyDynamics>& bodies) {
-  html::Table table("Bodies over time",
-                    {{"Body", "", true},
-                     {"Quantity", "", true},
-                     {"Unit", "", true},
-                     {"min", ""},
-                     {"max", ""},
-                     {"mean", ""},
-                     {"std", ""}},
-                    "dense summary");
+Table time_table(const std::vector<BodyDynamics>& bodies) {
+  Table table{"Bodies over time", {TableColumn("Body"), TableColumn("Quantity"), TableColumn("Unit")}, "dense summary"};
+  for (const char* statistic : {"min", "max", "mean", "std"}) table.column(TableColumn::texts(statistic));
   for (const BodyDynamics& body : bodies) {
     const auto add = [&](const char* name, const Spread& spread, const char* unit) {
-      table.row({body.name, name, shown_name(unit), shown_number(spread.min, unit, 3),
-                 shown_number(spread.max, unit, 3), shown_number(spread.mean, unit, 3),
-                 shown_number(spread.std, unit, 3)});
+      std::vector<TableCell> cells = {body.name, name, shown_name(unit)};
+      for (const double value : {spread.min, spread.max, spread.mean, spread.std}) {
+        cells.push_back(shown_number(value, unit, 3));
+      }
+      table.row(cells);
     };
     add("surge", body.surge, "m");
     add("sway", body.sway, "m");
@@ -57,15 +46,16 @@ std::string time_table(const std::vector<BodyDynamics>& bodies) {
     add("yaw", body.yaw, "rad");
     add("horizontal force of all lines", body.pull, "N");
   }
-  return table.str();
+  return table;
 }
 
 }  // namespace
 
-std::string bodies_section(const StaticResults& statics, const DynamicResults* dynamics) {
-  if (statics.bodies.empty()) return "";
-  const bool moved = dynamics != nullptr && !dynamics->bodies.empty();
-  return html::section("bodies", "Bodies", rest_table(statics.bodies) + (moved ? time_table(dynamics->bodies) : ""));
+Blocks bodies_section(const StaticResults& statics, const DynamicResults* dynamics) {
+  if (statics.bodies.empty()) return {};
+  Blocks body = rest_table(statics.bodies);
+  if (dynamics != nullptr) body += time_table(dynamics->bodies);
+  return block::section("bodies", "Bodies", body);
 }
 
 }  // namespace overbend

@@ -2,13 +2,11 @@
 /// represents the hydrodynamic file.
 #pragma once
 
-#include <string>
-
+#include "report/page/blocks.h"
 #include "results/hull_results.h"
 
 namespace overbend {
 
-/// HTML.
-std::string hull_section(const HullResults& hull);
+Blocks hull_section(const HullResults& hull);
 
 }  // namespace overbend

@@ -2,120 +2,62 @@
 
 #include <fmt/format.h>
 
-#include "report/page/html.h"
-#include "report/page/quantity.h"
+#include "report/page/figure_list.h"
+#include "results/tables/line_tables.h"
 
 namespace overbend {
 namespace {
 
-using html::fixed;
-
-std::string tiles(const std::vector<LineResult>& lines, const DynamicResults* dynamics) {
-  std::string out = "<div class=\"tiles\">\n";
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const LineResult& line = lines[i];
-    const double most = dynamics != nullptr ? dynamics->lines[i].largest_tension : line.largest_tension;
-    const double least = dynamics != nullptr ? dynamics->lines[i].least_tension : line.least_tension;
-    out += html::tile(
-        "Tension along " + line.name, shown_number(least, "N", 2) + " to " + shown_number(most, "N", 2), forces().unit,
-        dynamics != nullptr ? fmt::format("over time; at rest {} to {}", shown_number(line.least_tension, "N", 2),
-                                          shown_number(line.largest_tension, "N", 2))
-                            : std::string("at rest"));
-  }
-  return out + "</div>\n";
+std::string range_text(double least, double largest) {
+  return shown_number(least, "N", 2) + " to " + shown_number(largest, "N", 2);
 }
 
-std::string line_table(const std::vector<LineResult>& lines) {
-  html::Table table("Lines at rest",
-                    {{"Line", "", true},
-                     {"Length", shown_name("m")},
-                     {"On bed", shown_name("m")},
-                     {"Submerged weight", shown_name("N")},
-                     {"Least", shown_name("N")},
-                     {"Largest", shown_name("N")},
-                     {"Breaking load", "%"},
-                     {"Elements", ""},
-                     {"Unbalanced", "of weight"}},
-                    "dense summary");
-  table.groups({{"", 4}, {"Tension", 2}, {"", 3}});
-  for (const LineResult& line : lines) {
-    table.row({line.name, shown_number(line.length, "m", 2), shown_number(line.on_bed, "m", 1),
-               shown_number(line.weight, "N", 2), shown_number(line.least_tension, "N", 2),
-               shown_number(line.largest_tension, "N", 2), line.utilisation ? fixed(100.0 * *line.utilisation, 1) : "-",
-               std::to_string(line.elements), fmt::format("{:.1e}", line.residual)});
-  }
-  return table.str();
-}
-
-std::string end_table(const std::vector<LineResult>& lines, const DynamicResults* dynamics) {
-  std::vector<html::Head> head = {
-      {"Line", "", true},         {"End", "", true},       {"Tension", shown_name("N")},      {"east", shown_name("N")},
-      {"north", shown_name("N")}, {"up", shown_name("N")}, {"Declination", shown_name("rad")}};
-  std::vector<std::pair<std::string, int>> groups = {{"", 3}, {"Force on the line", 3}, {"", 1}};
-  if (dynamics != nullptr) {
-    for (const char* name : {"min", "max", "mean", "std"}) head.push_back({name, shown_name("N")});
-    groups.emplace_back("Tension over time", 4);
-  }
-  html::Table table("Ends of the lines", head, "dense summary");
-  table.groups(groups);
+Blocks tiles(const std::vector<LineResult>& lines, const DynamicResults* dynamics) {
+  std::vector<Tile> all;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto add = [&](const char* name, const LineEndResult& end, const Spread* in_time) {
-      std::vector<std::string> cells = {lines[i].name,
-                                        name,
-                                        shown_number(end.tension, "N", 2),
-                                        shown_number(end.force.x(), "N", 2),
-                                        shown_number(end.force.y(), "N", 2),
-                                        shown_number(end.force.z(), "N", 2),
-                                        shown_number(end.declination, "rad", 2)};
-      if (in_time != nullptr) {
-        for (const double value : {in_time->min, in_time->max, in_time->mean, in_time->std}) {
-          cells.push_back(shown_number(value, "N", 2));
-        }
-      }
-      table.row(cells);
-    };
+    const std::string rest = range_text(lines[i].least_tension, lines[i].largest_tension);
     const LineDynamics* const moved = dynamics != nullptr ? &dynamics->lines[i] : nullptr;
-    add("first", lines[i].first, moved != nullptr ? &moved->first_tension : nullptr);
-    add("second", lines[i].second, moved != nullptr ? &moved->second_tension : nullptr);
+    all.push_back({"Tension along " + lines[i].name,
+                   moved != nullptr ? range_text(moved->least_tension, moved->largest_tension) : rest, shown_name("N"),
+                   moved != nullptr ? "over time; at rest " + rest : "at rest"});
   }
-  return table.str() +
-         "<p class=\"small\">At rest: tension, components of the force by what holds the end, and declination of the "
-         "line below horizontal, positive where it hangs from its end.</p>\n";
+  return block::tiles(all);
 }
 
-/// A figure with as many panels as there are parts.
-std::string figure_of(const std::string& id, const std::vector<std::string>& parts, int& number,
-                      const std::string& caption) {
-  std::string out = "<figure>\n";
-  for (const std::string& part : parts) {
-    out += fmt::format("<div class=\"panel\" data-figure=\"{}\" data-part=\"{}\"></div>\n", id, part);
-  }
-  return out + fmt::format("<figcaption>Figure {}. {}</figcaption>\n</figure>\n", ++number, html::escape(caption));
+Blocks end_table(const std::vector<LineResult>& lines, const DynamicResults* dynamics) {
+  const Table table = line_ends(lines, dynamics != nullptr ? dynamics->lines : std::vector<LineDynamics>());
+  return Blocks(table) +
+         block::remark(
+             "At rest: tension, components of the force by what holds the end, and declination of the line below "
+             "horizontal, positive where it hangs from its end.");
 }
 
-std::string figures(std::size_t count, bool moved, int& number) {
-  std::vector<std::string> lines;
-  for (std::size_t i = 0; i < count; ++i) lines.push_back(std::to_string(i));
-  std::string out = figure_of("line_shape", lines, number, "Shape at rest, in the vertical plane of the ends");
-  out += figure_of(
-      "line_tension", lines, number,
-      moved ? "Tension along the line: at rest, and its range over time (band)" : "Tension along the line at rest");
+/// With a panel for every line.
+Blocks figures(std::size_t count, bool moved) {
+  std::vector<std::string> panels;
+  for (std::size_t i = 0; i < count; ++i) panels.push_back(std::to_string(i));
+  std::vector<Figure> all = {
+      {"line_shape", "Shape at rest, in the vertical plane of the ends", panels},
+      {"line_tension",
+       moved ? "Tension along the line: at rest, and its range over time (band)" : "Tension along the line at rest",
+       panels}};
   if (moved) {
-    out += figure_of("history", {"ends"}, number,
-                     "Tension at the ends in time; the build-up is shaded. Values refer to all steps, curves to the "
-                     "output steps");
+    all.push_back({"history",
+                   "Tension at the ends in time; the build-up is shaded. Values refer to all steps, curves to the "
+                   "output steps",
+                   {"ends"}});
   }
-  return out;
+  return figure_list(all);
 }
 
 }  // namespace
 
-std::string lines_section(const StaticResults& statics, const DynamicResults* dynamics, int& figure) {
+Blocks lines_section(const StaticResults& statics, const DynamicResults* dynamics) {
   const std::vector<LineResult>& lines = statics.lines;
-  if (lines.empty()) return "";
-  const std::string drawn = figures(lines.size(), dynamics != nullptr, figure);
-  return html::section("lines", "Lines",
-                       tiles(lines, dynamics) + drawn + line_table(lines) + end_table(lines, dynamics));
+  if (lines.empty()) return {};
+  return block::section("lines", "Lines",
+                        tiles(lines, dynamics) + figures(lines.size(), dynamics != nullptr) + lines_at_rest(lines) +
+                            end_table(lines, dynamics));
 }
 
 }  // namespace overbend

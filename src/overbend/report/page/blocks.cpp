@@ -19,6 +19,8 @@ Blocks operator+(Blocks first, const Blocks& second) {
   return first;
 }
 
+namespace block {
+
 Blocks section(const std::string& id, const std::string& heading, const Blocks& body) {
   if (body.empty()) return {};
   return Blocks({{"kind", "section"}, {"id", id}, {"heading", heading}, {"body", body.json()}});
@@ -82,10 +84,6 @@ Blocks verbatim(const std::string& text) {
   return Blocks({{"kind", "verbatim"}, {"text", text}});
 }
 
-Blocks figure(const Figure& figure) {
-  return overbend::figure(figure, nullptr);
-}
-
 Blocks figure(const Figure& figure, const Json& data) {
   if (figure.parts.empty()) return {};
   Json block = {{"kind", "figure"}, {"id", figure.id}, {"caption", figure.caption}, {"parts", figure.parts}};
@@ -94,4 +92,5 @@ Blocks figure(const Figure& figure, const Json& data) {
   return Blocks(block);
 }
 
+}  // namespace block
 }  // namespace overbend

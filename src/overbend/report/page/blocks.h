@@ -28,6 +28,21 @@ class Blocks {
 
 Blocks operator+(Blocks first, const Blocks& second);
 
+/// A key figure in large print with a note below it; `over` marks what is beyond a limit.
+struct Tile {
+  std::string name, value, unit, note;
+  bool over = false;
+};
+
+/// A figure: `id` chooses what is drawn, `parts` are its panels below one caption. The page numbers figures in their
+/// order. `small`: its panels are small multiples, side by side.
+struct Figure {
+  std::string id, caption;
+  std::vector<std::string> parts;
+  bool small = false;
+};
+
+namespace block {
 /// A section of the page; `id` is its anchor. Nothing where the body is empty.
 Blocks section(const std::string& id, const std::string& heading, const Blocks& body);
 
@@ -47,12 +62,7 @@ Blocks columns(const Blocks& body);
 /// Content that is set in a way of its own; `look` is a class of the page's style.
 Blocks group(const std::string& look, const Blocks& body);
 
-/// A key figure in large print with a note below it; `over` marks what is beyond a limit.
-struct Tile {
-  std::string name, value, unit, note;
-  bool over = false;
-};
-/// Nothing without any.
+/// Key figures in large print; nothing without any.
 Blocks tiles(const std::vector<Tile>& all);
 
 /// Names with values in a frame; a value that is empty can be written in by hand.
@@ -61,16 +71,8 @@ Blocks entry_frame(const std::vector<std::pair<std::string, std::string>>& entri
 /// A text as it was written: of a model file.
 Blocks verbatim(const std::string& text);
 
-/// A figure: `id` chooses what is drawn from the data of the page, `parts` are its panels below one caption. The page
-/// numbers figures in their order. `small`: its panels are small multiples, side by side.
-struct Figure {
-  std::string id, caption;
-  std::vector<std::string> parts;
-  bool small = false;
-};
-/// Nothing without parts.
-Blocks figure(const Figure& figure);
-/// A figure whose data stand in the block itself.
-Blocks figure(const Figure& figure, const Json& data);
+/// A figure, nothing without parts. `data`: what it draws, where that does not stand in the data of the page.
+Blocks figure(const Figure& figure, const Json& data = nullptr);
 
+}  // namespace block
 }  // namespace overbend

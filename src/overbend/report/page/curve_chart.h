@@ -1,4 +1,4 @@
-/// A chart of a few curves as an SVG that needs no script.
+/// A chart of a few curves.
 #pragma once
 
 #include <optional>
@@ -6,12 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "report/page/blocks.h"
+
 namespace overbend {
 
 enum class CurveLook { line, thin, marks };
 
 struct ChartCurve {
-  std::string name;                               ///< Plain text, for the legend.
+  std::string name;                               ///< For the legend.
   std::vector<std::pair<double, double>> points;  ///< In the units of the axes.
   CurveLook look = CurveLook::line;               ///< `marks`: circles at the points, no line.
   std::optional<std::size_t> colour = {};         ///< Number of its colour; its own where not given.
@@ -19,14 +21,12 @@ struct ChartCurve {
 };
 
 struct CurveChart {
-  std::string id;          ///< Of the figure, for links.
-  std::string across, up;  ///< Plain text: what the axes are, with units.
+  std::string across, up;  ///< What the axes are, with units.
   std::vector<ChartCurve> curves;
   std::vector<ChartCurve> ground;  ///< Thin lines that stand for what surrounds: bed, water level.
   std::vector<ChartCurve> water;   ///< The same in the colour of water.
 };
 
-/// HTML of a figure. `caption` is plain text.
-std::string curve_figure(const CurveChart& chart, const std::string& caption);
+Blocks curve_figure(const CurveChart& chart, const std::string& caption);
 
 }  // namespace overbend

@@ -1,26 +1,19 @@
-/// How figures of the page are passed to its scripts.
+/// Figures of a page, chosen by what there is to show.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "report/page/blocks.h"
+
 namespace overbend {
 
-/// `id` chooses what is drawn; `parts` are the panels below one caption.
-struct Figure {
-  const char* id;
-  const char* caption;
-  std::vector<const char*> parts;
-  bool small = false;  ///< Its panels hold small multiples, side by side.
-};
+/// The figures with those of their parts that pass `makes_sense`; a figure without any part is left out.
+Blocks figure_list(const std::vector<Figure>& figures,
+                   const std::function<bool(const Figure&, const std::string& part)>& makes_sense);
 
-/// The figures whose parts pass `makes_sense`, numbered on from `number`, which is left at the last; a figure without
-/// any part is left out.
-std::string figure_list(const std::vector<Figure>& figures,
-                        const std::function<bool(const Figure&, const std::string& part)>& makes_sense, int& number);
-
-/// A section of figures: nothing where there are none.
-std::string figure_section(const std::string& id, const std::string& heading, const std::string& figures);
+/// All of them.
+Blocks figure_list(const std::vector<Figure>& figures);
 
 }  // namespace overbend

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "report/page/figure_list.h"
-#include "report/page/places.h"
+#include "results/fields/places.h"
 
 namespace overbend {
 namespace {
@@ -49,13 +49,10 @@ bool makes_sense(const std::string& part, const StaticResults& results) {
 
 }  // namespace
 
-std::string figures_section(const StaticResults& results, const std::string& id, const std::string& heading,
-                            int& number) {
-  if (!results.has_pipe()) return "";
-  return figure_section(
-      id, heading,
-      figure_list(
-          all_figures(), [&](const Figure&, const std::string& part) { return makes_sense(part, results); }, number));
+Blocks figures_section(const StaticResults& results, const std::string& id, const std::string& heading) {
+  if (!results.has_pipe()) return {};
+  const auto shown = [&](const Figure&, const std::string& part) { return makes_sense(part, results); };
+  return block::section(id, heading, figure_list(all_figures(), shown));
 }
 
 }  // namespace overbend

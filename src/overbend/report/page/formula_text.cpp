@@ -7,7 +7,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "report/page/html.h"
+#include "base/shown_unit.h"
 #include "resultfiles/static/check_tables.h"
 
 namespace overbend {
@@ -87,12 +87,6 @@ std::string greek(const std::string& word) {
   return letter != kLetters.end() ? letter->second : word;
 }
 
-std::string symbol_html(const std::string& name) {
-  const std::size_t index = name.find('_');
-  if (index == std::string::npos) return greek(name);
-  return greek(name.substr(0, index)) + "<sub>" + greek(name.substr(index + 1)) + "</sub>";
-}
-
 const SheetLine* find_line(const std::vector<SheetLine>& lines, std::size_t before, const std::string& symbol) {
   for (std::size_t i = before; i-- > 0;) {
     if (lines[i].symbol == symbol) return &lines[i];
@@ -109,25 +103,8 @@ std::string value_in_place(const SheetLine& line, bool powered) {
 
 }  // namespace
 
-std::string formula_html(const std::string& formula) {
-  const std::vector<Token> tokens = split_tokens(formula);
-  std::string out;
-  for (std::size_t i = 0; i < tokens.size(); ++i) {
-    const Token& token = tokens[i];
-    if (i > 0 && multiplies(tokens[i - 1], token)) out += "\u202f";
-    if (token.text == "^" && i + 1 < tokens.size() && tokens[i + 1].kind != TokenKind::open) {
-      out += "<sup>" + symbol_html(tokens[++i].text) + "</sup>";
-    } else if (token.kind == TokenKind::sign) {
-      out += html::escape(sign_text(tokens, i));
-    } else {
-      out += symbol_html(token.text);
-    }
-  }
-  return out;
-}
-
 std::string six_digits(double value) {
-  if (value == 0.0 || !std::isfinite(value)) return html::fixed(value, 0);
+  if (value == 0.0 || !std::isfinite(value)) return fixed(value, 0);
   const int power = static_cast<int>(std::floor(std::log10(std::abs(value))));
   if (power < -5) return fmt::format("{:.5e}", value);
   std::string text = fmt::format("{:.{}f}", value, std::max(0, 5 - power));

@@ -1,4 +1,5 @@
-/// Formulas of calculation sheets as people read them: with symbols, and with the numbers put in.
+/// Formulas of calculation sheets with the numbers put in. The page sets their symbols
+/// (web/src/components/Formula.tsx).
 #pragma once
 
 #include <string>
@@ -7,9 +8,6 @@
 #include "results/check_results.h"
 
 namespace overbend {
-
-/// A symbol or formula as HTML: Greek letters, indices and powers.
-std::string formula_html(const std::string& formula);
 
 /// Six digits, without an exponent where that is possible.
 std::string six_digits(double value);

@@ -1,4 +1,4 @@
-/// The first page: document control, verdict, findings, contents.
+/// The first page as data: document control, verdict, utilisations, findings.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/finding.h"
+#include "base/json.h"
 #include "model/description/description.h"
 #include "results/static_results.h"
 #include "results/verdict.h"
@@ -14,32 +15,28 @@ namespace overbend {
 
 /// One bar of the card of utilisations.
 struct Utilisation {
-  std::string title;         ///< Plain text: "Sagbend", "Mooring lines".
+  std::string title;         ///< "Sagbend", "Mooring lines".
   double utilisation = 0.0;  ///< 1 is the full capacity, with its safety factor.
-  std::string what;          ///< Plain text: of what, where, when.
+  std::string what;          ///< Of what, where, when.
 };
 
 struct FrontPage {
-  std::string kind;   ///< "Static pipelay analysis"
-  std::string title;  ///< Plain text, as all here.
+  std::string kind;  ///< "Static pipelay analysis"
+  std::string title;
   ReportDescription control;
   std::vector<std::pair<std::string, std::string>> entries;  ///< Names with values below the title.
   Findings findings;
   std::string reach;  ///< A sentence on what the verdict is of: the static state, a run of so many seconds.
 };
 
-/// HTML of the first page; `rest` is the HTML of what follows, whose sections the contents list.
-std::string front_page(const FrontPage& page, const StaticResults& statics, const CheckTable& checks,
-                       const std::string& rest);
+/// The first page with the verdict of the checks and a bar for each region.
+Json front_page(const FrontPage& page, const StaticResults& statics, const CheckTable& checks);
 
-/// The same with a verdict and bars of its own; `note` says below the card what its marks are, plain text.
-std::string front_page(const FrontPage& page, const Verdict& verdict, const std::vector<Utilisation>& bars,
-                       const std::string& note, const std::string& rest);
+/// The same with a verdict and bars of its own; `note` says below the bars what their marks are.
+Json front_page(const FrontPage& page, const Verdict& verdict, const std::vector<Utilisation>& bars,
+                const std::string& note);
 
-/// The findings by severity; empty without any.
-std::string findings_section(const Findings& findings);
-
-/// Links to the sections of a page, in their order.
-std::string contents(const std::string& sections);
+/// The same without a verdict.
+Json front_page(const FrontPage& page);
 
 }  // namespace overbend

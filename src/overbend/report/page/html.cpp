@@ -2,9 +2,115 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "base/shown_unit.h"
 
 namespace overbend::html {
+namespace {
+
+std::string element(const char* name, const std::string& content) {
+  return fmt::format("<{0}>{1}</{0}>\n", name, content);
+}
+
+std::string text_of(const Json& block, const char* key) {
+  return escape(block.value(key, std::string()));
+}
+
+std::string cell(const Json& column, const Json& value) {
+  if (value.is_number()) return fixed(value.get<double>(), column.value("digits", 3));
+  if (value.is_object()) return text_of(value, "text");
+  return value.is_string() ? escape(value.get<std::string>()) : "";
+}
+
+std::string head_row(const Json& columns) {
+  std::string cells;
+  for (const Json& column : columns) {
+    const std::string unit = column.contains("unit") ? " [" + text_of(column, "unit") + "]" : "";
+    cells += "<th>" + text_of(column, "title") + unit + "</th>";
+  }
+  return element("tr", cells);
+}
+
+std::string table(const Json& block) {
+  const Json& columns = block.at("columns");
+  std::string rows = head_row(columns);
+  for (const Json& row : block.at("rows")) {
+    std::string cells;
+    for (std::size_t i = 0; i < row.size(); ++i) cells += "<td>" + cell(columns[i], row[i]) + "</td>";
+    rows += element("tr", cells);
+  }
+  return fmt::format("<table border=\"1\"><caption>{}</caption>\n{}</table>\n", text_of(block, "title"), rows);
+}
+
+std::string pairs(const Json& entries) {
+  std::string items;
+  for (const Json& entry : entries) {
+    items += element("li", escape(entry[0].get<std::string>()) + ": " + escape(entry[1].get<std::string>()));
+  }
+  return element("ul", items);
+}
+
+std::string tile_list(const Json& tiles) {
+  std::string items;
+  for (const Json& tile : tiles) {
+    items += element("li", fmt::format("{}: {} {} ({})", text_of(tile, "name"), text_of(tile, "value"),
+                                       text_of(tile, "unit"), text_of(tile, "note")));
+  }
+  return element("ul", items);
+}
+
+std::string blocks(const Json& body);
+
+std::string one_block(const Json& block) {
+  const std::string kind = block.value("kind", "");
+  if (kind == "table") return table(block);
+  if (kind == "tiles") return tile_list(block.at("tiles"));
+  if (kind == "entries") return pairs(block.at("entries"));
+  if (kind == "paragraph" || kind == "remark") return element("p", text_of(block, "text"));
+  if (kind == "subheading") return element("h3", text_of(block, "text"));
+  if (kind == "group") return blocks(block.at("body"));
+  if (kind != "list") return "";
+  std::string items;
+  for (const Json& item : block.at("items")) items += element("li", escape(item.get<std::string>()));
+  return element("ul", items);
+}
+
+std::string blocks(const Json& body) {
+  std::string text;
+  for (const Json& block : body) text += one_block(block);
+  return text;
+}
+
+std::string findings(const Json& all) {
+  std::string items;
+  for (const Json& finding : all) {
+    items += element("li", fmt::format("{}: {} ({})", text_of(finding, "severity"), text_of(finding, "text"),
+                                       text_of(finding, "code")));
+  }
+  return items.empty() ? "" : element("h2", "Findings") + element("ul", items);
+}
+
+std::string front(const Json& page) {
+  std::string text = element("p", text_of(page, "kind")) + element("h1", text_of(page, "title"));
+  if (page.contains("control")) text += pairs(page.at("control"));
+  text += pairs(page.at("entries"));
+  if (page.contains("verdict")) {
+    const Json& verdict = page.at("verdict");
+    text += element("h2", text_of(verdict, "words")) + element("p", text_of(verdict, "because"));
+  }
+  return text + findings(page.at("findings"));
+}
+
+/// Those that a reader cannot do without.
+bool is_key_section(const Json& section) {
+  constexpr std::array kKey = {"results", "checks", "stages",     "procedure", "stage-checks", "seek",
+                               "summary", "rows",   "quantities", "folders",   "operability",  "cases"};
+  return std::ranges::find(kKey, section.value("id", "")) != kKey.end();
+}
+
+}  // namespace
 
 std::string escape(std::string_view text) {
   std::string out;
@@ -46,82 +152,13 @@ std::string escape_json(std::string_view json) {
   return out;
 }
 
-std::string fixed(double value, int digits) {
-  return shown_number(value, ShownUnit{}, digits);
-}
-
-std::string section(const std::string& id, const std::string& heading, const std::string& body) {
-  return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, escape(heading), body);
-}
-
-std::string list(const std::vector<std::string>& items) {
-  std::string out = "<ul>\n";
-  for (const std::string& item : items) {
-    out += "<li>" + escape(item) + "</li>\n";
+std::string plain(const Document& document) {
+  std::string text = element("p", "Figures and the other sections of this report need scripts, which are off.") +
+                     front(document.front);
+  for (const Json& section : document.body.json()) {
+    if (is_key_section(section)) text += element("h2", text_of(section, "heading")) + blocks(section.at("body"));
   }
-  return out + "</ul>\n";
-}
-
-std::string tile(const std::string& name, const std::string& value, const std::string& unit, const std::string& note,
-                 bool over) {
-  constexpr std::size_t kLong = 9;  // letters in large print that find room in a tile
-  return fmt::format(
-      "<div class=\"{}\"><div class=\"name\">{}</div><div class=\"{}\">{} <span>{}</span></div>"
-      "<div class=\"note\">{}</div></div>\n",
-      over ? "tile over" : "tile", escape(name), value.size() > kLong ? "value long" : "value", escape(value),
-      escape(unit), escape(note));
-}
-
-std::string entries(const std::vector<std::pair<std::string, std::string>>& all) {
-  std::string out = "<dl>";
-  for (const auto& [name, value] : all) {
-    out += "<div><dt>" + escape(name) + "</dt><dd>" + escape(value) + "</dd></div>";
-  }
-  return out + "</dl>\n";
-}
-
-std::string folded(const std::string& summary, const std::string& body, bool printed) {
-  return fmt::format("<details class=\"{}\"><summary>{}</summary>\n{}</details>\n",
-                     printed ? "print-open" : "print-not", escape(summary), body);
-}
-
-Table::Table(std::string caption, std::vector<Head> head, std::string css_class)
-    : caption_(std::move(caption)), css_class_(std::move(css_class)), head_(std::move(head)) {}
-
-Table& Table::groups(std::vector<std::pair<std::string, int>> groups) {
-  groups_ = std::move(groups);
-  return *this;
-}
-
-Table& Table::row(const std::vector<std::string>& cells, const std::string& css_class) {
-  body_ += css_class.empty() ? "<tr>" : "<tr class=\"" + css_class + "\">";
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const bool words = i < head_.size() && head_[i].text;
-    body_ += (words ? "<td class=\"t\">" : "<td>") + escape(cells[i]) + "</td>";
-  }
-  body_ += "</tr>\n";
-  return *this;
-}
-
-std::string Table::str() const {
-  std::string out = fmt::format("<div class=\"table\"><table class=\"{}\">\n", css_class_);
-  if (!caption_.empty()) {
-    out += "<caption>" + escape(caption_) + "</caption>\n";
-  }
-  out += "<thead>\n";
-  if (!groups_.empty()) {
-    out += "<tr class=\"groups\">";
-    for (const auto& [title, span] : groups_) {
-      out += fmt::format("<th colspan=\"{}\">{}</th>", span, escape(title));
-    }
-    out += "</tr>\n";
-  }
-  out += "<tr>";
-  for (const Head& head : head_) {
-    const std::string unit = head.unit.empty() ? "" : "<br><span class=\"unit\">" + escape(head.unit) + "</span>";
-    out += (head.text ? "<th class=\"t\">" : "<th>") + escape(head.name) + unit + "</th>";
-  }
-  return out + "</tr>\n</thead>\n<tbody>\n" + body_ + "</tbody>\n</table></div>\n";
+  return text;
 }
 
 }  // namespace overbend::html

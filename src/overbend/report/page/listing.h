@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "base/shown_unit.h"
-#include "report/page/html.h"
+#include "results/tables/table.h"
 
 namespace overbend {
 
@@ -25,10 +25,14 @@ inline std::string general(double value, std::string_view si) {
   return general(value, shown_unit(si));
 }
 
+/// Rows of a quantity, its value and its unit.
+inline Table listing_table(const std::string& title) {
+  return {title, {TableColumn("Quantity"), TableColumn::texts("Value"), TableColumn("Unit")}};
+}
+
 class Listing {
  public:
-  explicit Listing(const std::string& caption)
-      : table_(caption, {{"Quantity", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain") {}
+  explicit Listing(const std::string& title) : table_(listing_table(title)) {}
   Listing& add(const std::string& name, double value, const ShownUnit& unit) {
     return add(name, general(value, unit), std::string(unit.name));
   }
@@ -44,10 +48,10 @@ class Listing {
     table_.row({name, value, unit});
     return *this;
   }
-  std::string str() const { return table_.str(); }
+  const Table& table() const { return table_; }
 
  private:
-  html::Table table_;
+  Table table_;
 };
 
 }  // namespace overbend

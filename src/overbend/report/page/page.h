@@ -1,38 +1,28 @@
-/// The frame of every page: head, style, scripts, data; and how it comes to disk.
+/// A report as one file that opens offline in any browser and prints on A4 and Letter: the document and the data of its
+/// figures as JSON, and the page's components that draw them (web/src/report), embedded in the program.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
 #include "base/json.h"
+#include "report/page/blocks.h"
 
 namespace overbend {
 
-/// A page that needs nothing beside it, with the scripts of the objects in its data. `title` is plain text, `body`
-/// HTML, `data` what its scripts draw.
-std::string whole_page(const std::string& title, const std::string& body, const Json& data);
+/// A report as data.
+struct Document {
+  std::string title;  ///< Of the window.
+  Json front;         ///< The first page, see front_page.h.
+  Blocks body;        ///< Its sections, in their order.
+  Json data;          ///< What its figures draw.
+};
 
-/// Of an operation on the line, whose figures are those of its stages.
-std::string operation_page(const std::string& title, const std::string& body, const Json& data);
-
-/// The same of a lay table.
-std::string lay_table_frame(const std::string& title, const std::string& body, const std::string& data);
-
-/// Of results of several folders.
-std::string overlay_frame(const std::string& title, const std::string& body, const std::string& data);
-
-/// The same of a study.
-std::string study_frame(const std::string& title, const std::string& body, const std::string& data);
+/// The file's text. Readers without scripts see first page, key results and checks as plain tables.
+std::string page_text(const Document& document);
 
 /// Writes beside the file first and then renames. Throws std::runtime_error where that fails.
-void write_page(const std::string& page, const std::filesystem::path& file);
-
-/// What stands at the top and bottom of every printed page, plain text; a style element.
-struct PageMargins {
-  std::string document;  ///< "BGL-OB-001, rev. B"; may be empty.
-  std::string title, kind, written;
-};
-std::string page_margins(const PageMargins& margins);
+void write_page(const Document& document, const std::filesystem::path& file);
 
 /// "2026-11-21 14:30 UTC"
 std::string written_now();

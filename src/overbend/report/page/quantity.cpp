@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "report/page/history_name.h"
-#include "report/page/html.h"
 
 namespace overbend {
 namespace {
@@ -47,7 +46,7 @@ std::string words(const std::string& name) {
 }  // namespace
 
 std::string Quantity::text(double si, int decimals) const {
-  return html::fixed(shown(si), std::max(0, decimals + more));
+  return fixed(shown(si), std::max(0, decimals + more));
 }
 
 Quantity quantity(const std::string& name, const std::string& units) {

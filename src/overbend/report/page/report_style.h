@@ -1,10 +1,10 @@
 /// How values look in the data of the report's diagrams: seven digits, places and directions in the axes that people
-/// aboard use (report/page/places.h), arc lengths from the tensioner.
+/// aboard use (results/fields/places.h), arc lengths from the tensioner.
 #pragma once
 
 #include "report/page/json_number.h"
-#include "report/page/places.h"
 #include "resultfiles/summary/json_fields.h"
+#include "results/fields/places.h"
 
 namespace overbend {
 

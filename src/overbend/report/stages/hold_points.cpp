@@ -6,8 +6,8 @@
 #include <functional>
 #include <map>
 
-#include "report/page/places.h"
 #include "report/stages/stage_words.h"
+#include "results/fields/places.h"
 #include "results/verdict.h"
 
 namespace overbend {

@@ -6,16 +6,14 @@
 #include <cmath>
 #include <functional>
 
-#include "base/shown_unit.h"
 #include "report/page/curve_chart.h"
-#include "report/page/html.h"
+#include "report/page/quantity.h"
 #include "report/stages/lift_shapes.h"
+#include "report/stages/stage_columns.h"
 #include "report/stages/stage_words.h"
 
 namespace overbend {
 namespace {
-
-using html::fixed;
 
 /// Calls `each(title, lift)` for the stages that stand.
 void for_stages(const OperationResults& results,
@@ -40,125 +38,106 @@ std::string vessel_words(const LayStageDescription& stage) {
 }
 
 /// What is done at each stage, and why one cannot be.
-std::string procedure_table(const OperationResults& results, const std::optional<Description>& description) {
-  html::Table table("What is done",
-                    {{"Stage", "", true},
-                     {"Lengths", "", true},
-                     {"Tensions", "", true},
-                     {"Vessel", "", true},
-                     {"Weld", "", true},
-                     {"State", "", true}},
-                    "dense");
+Table procedure_table(const OperationResults& results, const std::optional<Description>& description) {
+  Table table{"What is done",
+              {TableColumn("Stage"), TableColumn("Lengths"), TableColumn("Tensions"), TableColumn("Vessel"),
+               TableColumn("Weld"), TableColumn("State")},
+              "dense"};
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
     const StageResult& stage = results.stages[i];
-    const bool told = description && i < description->operation.lay.stages.size();
-    const LayStageDescription& asked = told ? description->operation.lay.stages[i] : stage.stage;
-    const std::string weld = asked.join ? asked.join->first + " to " + asked.join->second : "";
-    const std::string state = stage.failure ? stage.failure->what + ": " + stage.failure->why : "equilibrium found";
+    const bool given = description && i < description->operation.lay.stages.size();
+    const LayStageDescription& asked = given ? description->operation.lay.stages[i] : stage.stage;
     table.row({stage_title(results, i), values_of(asked.lengths, "m"), values_of(asked.tensions, "N"),
-               vessel_words(asked), weld, state},
-              stage.failure ? "over" : "");
+               vessel_words(asked), asked.join ? asked.join->first + " to " + asked.join->second : "",
+               stage.failure ? stage.failure->what + ": " + stage.failure->why : "equilibrium found"},
+              stage.failure ? RowMark::over : RowMark::none);
   }
-  return table.str();
+  return table;
 }
 
-std::string end_words(const LiftedEnd& end) {
-  return end.free ? shown_number(end.at.place.z(), "m", 2) : "held";
+TableCell end_cell(const LiftedEnd& end) {
+  return end.free ? TableCell(end.at.place.z()) : "held";
 }
 
-std::string line_table(const OperationResults& results) {
-  html::Table table("Lines at every stage",
-                    {{"Stage", "", true},
-                     {"Line", "", true},
-                     {"first, z", shown_name("m")},
-                     {"inclination", shown_name("rad")},
-                     {"second, z", shown_name("m")},
-                     {"sagging", shown_name("N m")},
-                     {"hogging", shown_name("N m")},
-                     {"largest at", shown_name("m")},
-                     {"bending", shown_name("Pa")},
-                     {"least", shown_name("N")},
-                     {"largest", shown_name("N")},
-                     {"Lift-off", shown_name("m")},
-                     {"Suspended", shown_name("m")}},
-                    "dense summary");
+Table line_table(const OperationResults& results) {
+  Table table{"Lines at every stage",
+              {TableColumn("Stage"),
+               TableColumn("Line"),
+               {"first, z", "m", 2},
+               {"inclination", "rad", 2},
+               {"second, z", "m", 2},
+               {"sagging", "N m", 1},
+               {"hogging", "N m", 1},
+               {"largest at", "m", 1},
+               {"bending", "Pa", 1},
+               {"least", "N", 1},
+               {"largest", "N", 1},
+               {"Lift-off", "m", 2},
+               {"Suspended", "m", 2}},
+              "dense summary"};
   table.groups({{"", 2}, {"Ends", 3}, {"Bending moment", 3}, {"Stress", 1}, {"Tension", 2}, {"", 2}});
   for_stages(results, [&](const std::string& title, const LiftResults& lift) {
     for (const LiftedLine& line : lift.lines) {
-      table.row({title, line.name, end_words(line.first), shown_number(line.first.at.inclination, "rad", 2),
-                 end_words(line.second), shown_number(line.sagging.value, "N m", 1),
-                 shown_number(line.hogging.value, "N m", 1), shown_number(line.bending.at.arc_length, "m", 1),
-                 shown_number(line.bending_stress, "Pa", 1), shown_number(line.least_tension, "N", 1),
-                 shown_number(line.largest_tension, "N", 1),
-                 line.lift_off ? shown_number(line.lift_off->arc_length, "m", 2) : "",
-                 shown_number(line.suspended_length, "m", 2)});
+      table.row({title, line.name, end_cell(line.first), line.first.at.inclination, end_cell(line.second),
+                 line.sagging.value, line.hogging.value, line.bending.at.arc_length, line.bending_stress,
+                 line.least_tension, line.largest_tension, line.lift_off ? line.lift_off->arc_length : TableCell(),
+                 line.suspended_length});
     }
   });
-  return table.str();
+  return table;
 }
 
-std::string davit_table(const OperationResults& results) {
-  html::Table table("Lines on lines at every stage",
-                    {{"Stage", "", true},
-                     {"Line", "", true},
-                     {"Length", shown_name("m")},
-                     {"upper", shown_name("N")},
-                     {"lower", shown_name("N")},
-                     {"Use", "%"},
-                     {"From vertical", shown_name("rad")},
-                     {"on", "", true},
-                     {"z", shown_name("m")},
-                     {"moment", shown_name("N m")},
-                     {"tension before", shown_name("N")},
-                     {"tension after", shown_name("N")}},
-                    "dense summary");
+Table davit_table(const OperationResults& results) {
+  Table table{"Lines on lines at every stage",
+              {TableColumn("Stage"),
+               TableColumn("Line"),
+               {"Length", "m", 2},
+               {"upper", "N", 1},
+               {"lower", "N", 1},
+               {"Use", kPercent, 1},
+               {"From vertical", "rad", 1},
+               TableColumn("on"),
+               {"z", "m", 2},
+               {"moment", "N m", 1},
+               {"tension before", "N", 1},
+               {"tension after", "N", 1}},
+              "dense summary"};
   table.groups({{"", 3}, {"Tension", 2}, {"", 2}, {"At its attachment", 5}});
   for_stages(results, [&](const std::string& title, const LiftResults& lift) {
     for (const LiftedWire& wire : lift.davits) {
-      table.row({title, wire.name, shown_number(wire.length, "m", 2), shown_number(wire.tension_upper, "N", 1),
-                 shown_number(wire.tension_lower, "N", 1), wire.utilisation ? fixed(100.0 * *wire.utilisation, 1) : "-",
-                 shown_number(wire.from_vertical_upper, "rad", 1), wire.on, shown_number(wire.at.place.z(), "m", 2),
-                 shown_number(wire.moment, "N m", 1), shown_number(wire.tension_before, "N", 1),
-                 shown_number(wire.tension_after, "N", 1)});
+      table.row({title, wire.name, wire.length, wire.tension_upper, wire.tension_lower, or_dash(wire.utilisation),
+                 wire.from_vertical_upper, wire.on, wire.at.place.z(), wire.moment, wire.tension_before,
+                 wire.tension_after});
     }
   });
-  return table.str();
+  return table;
 }
 
-std::string weld_table(const OperationResults& results) {
-  html::Table table("Ends to be welded, and the weld",
-                    {{"Stage", "", true},
-                     {"dx", shown_name("m")},
-                     {"dy", shown_name("m")},
-                     {"dz", shown_name("m")},
-                     {"angle", shown_name("rad")},
-                     {"tension", shown_name("N")},
-                     {"shear", shown_name("N")},
-                     {"moment", shown_name("N m")},
-                     {"z", shown_name("m")}},
-                    "dense summary");
+Table weld_table(const OperationResults& results) {
+  Table table{"Ends to be welded, and the weld",
+              {TableColumn("Stage"),
+               {"dx", "m", 3},
+               {"dy", "m", 3},
+               {"dz", "m", 3},
+               {"angle", "rad", 2},
+               {"tension", "N", 2},
+               {"shear", "N", 2},
+               {"moment", "N m", 1},
+               {"z", "m", 2}},
+              "dense summary"};
   table.groups({{"", 1}, {"Gap, second end less first", 4}, {"Weld: second line on the first", 4}});
-  bool any = false;
   for_stages(results, [&](const std::string& title, const LiftResults& lift) {
-    std::vector<std::string> cells(9);
-    cells[0] = title;
-    if (lift.gap) {
-      cells[1] = shown_number(lift.gap->dx, "m", 3);
-      cells[2] = shown_number(lift.gap->dy, "m", 3);
-      cells[3] = shown_number(lift.gap->dz, "m", 3);
-      cells[4] = shown_number(lift.gap->angle, "rad", 2);
-    }
-    if (lift.join) {
-      cells[5] = shown_number(lift.join->tension, "N", 2);
-      cells[6] = shown_number(lift.join->shear, "N", 2);
-      cells[7] = shown_number(lift.join->moment, "N m", 1);
-      cells[8] = shown_number(lift.join->at.place.z(), "m", 2);
-    }
     if (!lift.gap && !lift.join) return;
-    any = true;
+    std::vector<TableCell> cells = {title};
+    if (lift.gap) cells = {title, lift.gap->dx, lift.gap->dy, lift.gap->dz, lift.gap->angle};
+    cells.resize(5);
+    if (lift.join) {
+      cells.insert(cells.end(), {lift.join->tension, lift.join->shear, lift.join->moment, lift.join->at.place.z()});
+    }
+    cells.resize(table.columns.size());
     table.row(cells);
   });
-  return any ? table.str() : "";
+  return table;
 }
 
 /// Names of the lines that are pipe at any stage.
@@ -173,9 +152,8 @@ std::vector<std::string> line_names(const OperationResults& results) {
 }
 
 /// One curve for every stage, of a line by its name.
-std::vector<ChartCurve> curves_of(
-    const OperationResults& results, const std::string& name,
-    const std::function<std::pair<double, double>(const LiftedLine&, const LiftedNode&)>& point) {
+std::vector<ChartCurve> curves_of(const OperationResults& results, const std::string& name,
+                                  const std::function<std::pair<double, double>(const LiftedNode&)>& point) {
   std::vector<ChartCurve> curves;
   for_stages(results, [&](const std::string& title, const LiftResults& lift) {
     for (const LiftedLine& line : lift.lines) {
@@ -188,46 +166,39 @@ std::vector<ChartCurve> curves_of(
         const double from_free = line.second.free && !line.first.free
                                      ? line.nodes.back().at.arc_length - node.at.arc_length
                                      : node.at.arc_length;
-        if (from_free <= reach) curve.points.push_back(point(line, node));
+        if (from_free <= reach) curve.points.push_back(point(node));
       }
     }
   });
   return curves;
 }
 
-std::string figures(const OperationResults& results, const std::optional<Description>& description, int& number) {
-  std::string out = lift_side_view(results, description, number);
+Blocks figures(const OperationResults& results, const std::optional<Description>& description) {
+  Blocks blocks = lift_side_view(results, description);
   const double length = shown_unit("m").factor, moment = shown_unit("N m").factor, force = shown_unit("N").factor;
-  const std::string metres = std::string(" [") + shown_name("m") + "]";
-  int count = 0;
   for (const std::string& name : line_names(results)) {
-    const std::string id = "lift-" + std::to_string(++count);
-    CurveChart moments{id + "-moment",
-                       "Arc length" + metres,
-                       std::string("Bending moment, sagging positive [") + shown_name("N m") + "]",
-                       {},
-                       {},
-                       {}};
-    moments.curves = curves_of(results, name, [&](const LiftedLine&, const LiftedNode& node) {
+    CurveChart moments, tensions;
+    moments.across = tensions.across = name_with_unit("Arc length", "m");
+    moments.up = name_with_unit("Bending moment, sagging positive", "N m");
+    moments.curves = curves_of(results, name, [&](const LiftedNode& node) {
       return std::pair{length * node.at.arc_length, moment * node.sagging};
     });
-    out += curve_figure(moments, fmt::format("Figure {}. {}: bending moment in the vertical plane", ++number, name));
-    CurveChart tensions{
-        id + "-tension", "Arc length" + metres, std::string("Effective tension [") + shown_name("N") + "]", {}, {}, {}};
-    tensions.curves = curves_of(results, name, [&](const LiftedLine&, const LiftedNode& node) {
+    tensions.up = name_with_unit("Effective tension", "N");
+    tensions.curves = curves_of(results, name, [&](const LiftedNode& node) {
       return std::pair{length * node.at.arc_length, force * node.tension};
     });
-    out += curve_figure(tensions, fmt::format("Figure {}. {}: effective tension", ++number, name));
+    blocks += curve_figure(moments, name + ": bending moment in the vertical plane") +
+              curve_figure(tensions, name + ": effective tension");
   }
-  return out;
+  return blocks;
 }
 
 }  // namespace
 
-std::string lift_sections(const OperationResults& results, const std::optional<Description>& description, int& figure) {
-  return html::section("procedure", "Procedure", procedure_table(results, description)) +
-         html::section("stages", "Stages", figures(results, description, figure) + line_table(results)) +
-         html::section("davits", "Davits and other lines on lines", davit_table(results) + weld_table(results));
+Blocks lift_sections(const OperationResults& results, const std::optional<Description>& description) {
+  return block::section("procedure", "Procedure", procedure_table(results, description)) +
+         block::section("stages", "Stages", figures(results, description) + line_table(results)) +
+         block::section("davits", "Davits and other lines on lines", davit_table(results) + weld_table(results));
 }
 
 }  // namespace overbend

@@ -1,7 +1,5 @@
 #include "report/stages/lift_shapes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 
@@ -32,8 +30,9 @@ Course find_course(const LiftedLine& line) {
 class SideView {
  public:
   explicit SideView(const Course& course) : course_(course), scale_(shown_unit("m").factor) {
-    const std::string metres = std::string(" [") + shown_name("m") + "]";
-    chart_ = {"lift-shape", "Along the course of the pipe, from its held end" + metres, "z" + metres, {}, {}, {}};
+    const std::string metres = " [" + shown_name("m") + "]";
+    chart_.across = "Along the course of the pipe, from its held end" + metres;
+    chart_.up = "z" + metres;
   }
 
   void add(const std::string& title, const StaticResults& lay, std::size_t colour) {
@@ -104,8 +103,7 @@ class SideView {
 
 }  // namespace
 
-std::string lift_side_view(const OperationResults& results, const std::optional<Description>& description,
-                           int& figure) {
+Blocks lift_side_view(const OperationResults& results, const std::optional<Description>& description) {
   std::optional<SideView> view;
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
     const std::optional<StaticResults>& lay = results.stages[i].lay;
@@ -113,12 +111,11 @@ std::string lift_side_view(const OperationResults& results, const std::optional<
     if (!view) view.emplace(find_course(lay->lift->lines.front()));
     view->add(stage_title(results, i), *lay, i);
   }
-  if (!view) return "";
+  if (!view) return {};
   view->add_surroundings(description);
   return curve_figure(view->chart(),
-                      fmt::format("Figure {}. Side view of all lines at every stage: pipe thick, other lines thin, "
-                                  "circles where they are attached and at welds; broken: water level and seabed",
-                                  ++figure));
+                      "Side view of all lines at every stage: pipe thick, other lines thin, circles where they are "
+                      "attached and at welds; broken: water level and seabed");
 }
 
 }  // namespace overbend

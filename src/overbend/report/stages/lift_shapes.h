@@ -2,14 +2,14 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "model/description/description.h"
+#include "report/page/blocks.h"
 #include "results/operation_results.h"
 
 namespace overbend {
 
-/// HTML of the figure; empty where no stage stands. `figure` counts the figures of the page.
-std::string lift_side_view(const OperationResults& results, const std::optional<Description>& description, int& figure);
+/// Empty where no stage stands.
+Blocks lift_side_view(const OperationResults& results, const std::optional<Description>& description);
 
 }  // namespace overbend

@@ -1,12 +1,8 @@
 #include "report/stages/operation_report.h"
+
 #include "report/page/calculation_sheet.h"
-
-#include <algorithm>
-
 #include "report/page/front_of.h"
-#include "report/page/html.h"
 #include "report/page/listing.h"
-#include "report/page/page.h"
 #include "report/page/quantity.h"
 #include "report/page/sections.h"
 #include "report/stages/lift_report.h"
@@ -20,12 +16,6 @@
 
 namespace overbend {
 namespace {
-
-const StaticResults* first_lay(const OperationResults& results) {
-  const auto at = std::find_if(results.stages.begin(), results.stages.end(),
-                               [](const StageResult& stage) { return stage.lay.has_value(); });
-  return at == results.stages.end() ? nullptr : &*at->lay;
-}
 
 Assumptions all_assumptions(const OperationResults& results) {
   Assumptions all = results.assumptions;
@@ -52,10 +42,10 @@ void add_cable(const CableDescription& cable, Listing& table) {
 }
 
 /// Head, cable, winch and anchor as the model gives them.
-std::string gear_section(const std::optional<Description>& description) {
-  if (!description) return "";
+Blocks gear_section(const std::optional<Description>& description) {
+  if (!description) return {};
   const LayOperationDescription& lay = description->operation.lay;
-  if (!lay.head && !lay.cable) return "";
+  if (!lay.head && !lay.cable) return {};
   Listing table("");
   if (lay.head) add_head(*lay.head, table);
   if (lay.cable) add_cable(*lay.cable, table);
@@ -66,12 +56,12 @@ std::string gear_section(const std::optional<Description>& description) {
     table.add("Winch, x", lay.winch->x, "m").add("Winch, z", lay.winch->z, "m");
   }
   if (lay.anchor) table.add("Anchor, depth", lay.anchor->depth, "m");
-  return html::section("gear", "Head and cable", table.str());
+  return block::section("gear", "Head and cable", table.table());
 }
 
-std::string passage_part(const OperationResults& results) {
+Blocks passage_part(const OperationResults& results) {
   const std::optional<PassageResults> passage = passage_of(results);
-  return passage ? passage_section(*passage) : "";
+  return passage ? passage_section(*passage) : Blocks();
 }
 
 FrontPage front_of_operation(const OperationResults& results, const std::optional<Description>& description,
@@ -103,32 +93,33 @@ CheckTable checks_of_stages(const OperationResults& results) {
 
 }  // namespace
 
-std::string operation_report_html(const OperationResults& results, const std::string& model_text,
-                                  const FirstSection* first) {
+Document operation_report_document(const OperationResults& results, const std::string& model_text,
+                                   const FirstSection* first) {
   const std::optional<Description> description = description_of(model_text);
   const StaticResults* lay = first_lay(results);
-  int figure = first != nullptr ? first->figures : 0;
   const bool lift = results.type == OperationType::lift;
-  const std::string stages =
-      lift ? lift_sections(results, description, figure)
-           : procedure_section(results, description) + stages_section(results, figure) + passage_part(results);
-  const std::string inputs = lay != nullptr ? inputs_section(*lay, description, nullptr) : "";
-  const std::string rest = (first != nullptr ? first->html : "") + stages + stage_checks_section(results) +
-                           gear_section(description) + inputs + assumptions_section(all_assumptions(results)) +
-                           calculation_sheet_section(checks_of_stages(results)) + model_text_section(model_text);
-  const FrontPage front = front_of_operation(results, description, lay);
-  const std::string title = results.title + " - " + operation_title(results.type);
-  const std::string page =
-      front_page(front, verdict_with_stage(results), operation_bars(results),
-                 std::string("The mark on the bar is the full capacity. ") + kBasisOfChecks + " ", rest);
-  Json data = lift ? Json::object() : read_json(stages_data(results, description));
-  if (first != nullptr) data.update(first->data);
-  return operation_page(title, page, data);
+  Document document;
+  document.title = results.title + " - " + operation_title(results.type);
+  document.front =
+      front_page(front_of_operation(results, description, lay), verdict_with_stage(results), operation_bars(results),
+                 std::string("The mark on the bar is the full capacity. ") + kBasisOfChecks + " ");
+  document.data = lift ? Json::object() : stages_data(results, description);
+  if (first != nullptr) {
+    document.body = first->body;
+    document.data.update(first->data);
+  }
+  document.body += lift ? lift_sections(results, description)
+                        : procedure_section(results, description) + stages_section(results) + passage_part(results);
+  document.body += stage_checks_section(results) + gear_section(description);
+  if (lay != nullptr) document.body += inputs_section(*lay, description, nullptr);
+  document.body += assumptions_section(all_assumptions(results)) +
+                   calculation_sheet_section(checks_of_stages(results)) + model_text_section(model_text);
+  return document;
 }
 
 void write_operation_report(const OperationResults& results, const std::string& model_text,
                             const std::filesystem::path& file, const FirstSection* first) {
-  write_page(operation_report_html(results, model_text, first), file);
+  write_page(operation_report_document(results, model_text, first), file);
 }
 
 }  // namespace overbend

@@ -4,19 +4,15 @@
 
 #include <algorithm>
 
-#include "report/page/html.h"
-#include "report/page/places.h"
-#include "report/page/sections.h"
 #include "report/stages/hold_points.h"
 #include "report/stages/stage_columns.h"
 #include "report/stages/stage_words.h"
 #include "report/stages/stages_section.h"
+#include "results/fields/places.h"
 #include "results/findings.h"
 
 namespace overbend {
 namespace {
-
-using html::fixed;
 
 std::string stages_words(std::size_t count) {
   return fmt::format("{} stage{}", count, count == 1 ? "" : "s");

@@ -3,22 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "checks/mooring_rows.h"
-#include "report/page/html.h"
-#include "report/page/places.h"
 #include "report/page/quantity.h"
 #include "report/stages/hold_points.h"
 #include "report/stages/stage_columns.h"
 #include "report/stages/stage_words.h"
 #include "report/stages/stages_section.h"
+#include "results/fields/places.h"
 
 namespace overbend {
 namespace {
-
-using html::fixed;
 
 std::optional<double> tension_of(const StageResult& stage) {
   if (stage.stage.tension) return stage.stage.tension;
@@ -55,64 +51,43 @@ std::string remarks(const OperationResults& results, const std::vector<HoldPoint
   return text;
 }
 
-std::string step_table(const OperationResults& results, const std::optional<Description>& description) {
+/// Least tension found for the limits of the stage.
+std::optional<double> least_tension(const StageResult& stage) {
+  if (stage.failure && stage.failure->least_tension) return stage.failure->least_tension;
+  return stage.governing.empty() ? std::nullopt : tension_of(stage);
+}
+
+Table step_table(const OperationResults& results, const std::optional<Description>& description) {
+  using Lay = const StaticResults&;
   const std::vector<HoldPoint> points = hold_points(results);
   const std::optional<double> most = cable_limit(description);
-  std::vector<StageColumn> columns;
-  const auto add = [&](const char* group, html::Head head, std::function<std::string(std::size_t)> text) {
-    columns.push_back({group, std::move(head), std::move(text)});
-  };
-  const auto with_head = [&](double (*value)(const HeadResult&)) {
-    return of_lay(results,
-                  [value](const StaticResults& lay) { return lay.head ? shown_number(value(*lay.head), "m", 1) : ""; });
-  };
-  add("", {"Step", "", true}, [&](std::size_t i) { return stage_title(results, i); });
-  add("", {progress_name(results.type), shown_name("m")}, [&](std::size_t i) {
-    const std::optional<double> out = progress_of(results.stages[i].stage);
-    return out ? shown_number(*out, "m", 1) : "";
+  StageTable table(results, all_stages(results));
+  const auto stage = [&](std::size_t i) -> const StageResult& { return results.stages[i]; };
+  table.add("", TableColumn("Step"), [&](std::size_t i) { return stage_title(results, i); });
+  table.add("", {progress_name(results.type), "m", 1}, [&](std::size_t i) { return progress_of(stage(i).stage); });
+  table.add("Tension", {"hold", "N", 1}, [&](std::size_t i) { return tension_of(stage(i)); });
+  table.add("Tension", {"not below", "N", 1}, [&](std::size_t i) { return least_tension(stage(i)); });
+  table.add("Tension", {"not above", "N", 1},
+            [&](Lay lay) { return lay.cable && !lay.dragging ? most : std::nullopt; });
+  table.add("Winch", {"pull", "N", 1},
+            [](Lay lay) { return lay.dragging ? lay.dragging->winch_tension : TableCell(); });
+  table.add("Winch", {"not above", "N", 1}, [&](Lay lay) { return lay.dragging ? most : std::nullopt; });
+  table.add("Winch", {"cable out", "m", 1}, [](Lay lay) { return lay.dragging ? lay.cable->length : TableCell(); });
+  table.add("", {"Barge ahead", "m", 1},
+            [&](std::size_t i) { return stage(i).lay ? stage(i).barge_ahead : TableCell(); });
+  table.add("Head", {"depth", "m", 1}, [](Lay lay) { return lay.head ? -lay.head->p_W.z() : TableCell(); });
+  table.add("Head", {"astern", "m", 1}, [](Lay lay) { return lay.head ? lay.head->astern : TableCell(); });
+  table.add("Head", {"over bed", "m", 1}, [](Lay lay) { return lay.head ? lay.head->clearance : TableCell(); });
+  table.add("Watch", {"tip clearance", "m", 2}, [](Lay lay) { return lay.stinger_tip_clearance; });
+  table.add("Watch", {"roller load", "N", 1},
+            [](Lay lay) { return lay.largest_reaction_support.empty() ? TableCell() : lay.largest_reaction; });
+  table.add("Watch", TableColumn("at"), [](Lay lay) { return lay.largest_reaction_support; });
+  table.add("", {"Utilisation", "", 2}, [&](std::size_t i) {
+    const std::optional<StageUse> use = largest_use(stage(i));
+    return use ? use->utilisation : TableCell();
   });
-  add("Tension", {"hold", shown_name("N")}, [&](std::size_t i) {
-    const std::optional<double> tension = tension_of(results.stages[i]);
-    return tension ? shown_number(*tension, "N", 1) : "";
-  });
-  add("Tension", {"not below", shown_name("N")}, [&](std::size_t i) {
-    const StageResult& stage = results.stages[i];
-    if (stage.failure && stage.failure->least_tension) return shown_number(*stage.failure->least_tension, "N", 1);
-    return stage.governing.empty() || !tension_of(stage) ? std::string() : shown_number(*tension_of(stage), "N", 1);
-  });
-  add("Tension", {"not above", shown_name("N")}, [&](std::size_t i) {
-    const std::optional<StaticResults>& lay = results.stages[i].lay;
-    return most && lay && lay->cable && !lay->dragging ? shown_number(*most, "N", 1) : std::string();
-  });
-  add("Winch", {"pull", shown_name("N")}, of_lay(results, [](const StaticResults& lay) {
-        return lay.dragging ? shown_number(lay.dragging->winch_tension, "N", 1) : "";
-      }));
-  add("Winch", {"not above", shown_name("N")}, of_lay(results, [most](const StaticResults& lay) {
-        return most && lay.dragging ? shown_number(*most, "N", 1) : "";
-      }));
-  add("Winch", {"cable out", shown_name("m")}, of_lay(results, [](const StaticResults& lay) {
-        return lay.dragging ? shown_number(lay.cable->length, "m", 1) : "";
-      }));
-  add("", {"Barge ahead", shown_name("m")},
-      [&](std::size_t i) { return results.stages[i].lay ? shown_number(results.stages[i].barge_ahead, "m", 1) : ""; });
-  add("Head", {"depth", shown_name("m")}, with_head([](const HeadResult& head) { return -head.p_W.z(); }));
-  add("Head", {"astern", shown_name("m")}, with_head([](const HeadResult& head) { return head.astern; }));
-  add("Head", {"over bed", shown_name("m")}, with_head([](const HeadResult& head) { return head.clearance; }));
-  add("Watch", {"tip clearance", shown_name("m")}, of_lay(results, [](const StaticResults& lay) {
-        return lay.stinger_tip_clearance ? shown_number(*lay.stinger_tip_clearance, "m", 2) : "";
-      }));
-  add("Watch", {"roller load", shown_name("N")}, of_lay(results, [](const StaticResults& lay) {
-        return lay.largest_reaction_support.empty() ? "" : shown_number(lay.largest_reaction, "N", 1);
-      }));
-  add("Watch", {"at", "", true},
-      of_lay(results, [](const StaticResults& lay) { return lay.largest_reaction_support; }));
-  add("", {"Utilisation", ""}, [&](std::size_t i) {
-    const std::optional<StageUse> use = largest_use(results.stages[i]);
-    return use ? fixed(use->utilisation, 2) : "";
-  });
-  add("", {"Hold points and remarks", "", true}, [&](std::size_t i) { return remarks(results, points, i); });
-  return stage_rows_table("", columns, all_stages(results), "dense procedure",
-                          [&](std::size_t i) { return stage_css(results.stages[i]); });
+  table.add("", TableColumn("Hold points and remarks"), [&](std::size_t i) { return remarks(results, points, i); });
+  return table.table("", "dense procedure");
 }
 
 /// "3", "3 and 4", "3 to 7, 9".
@@ -161,7 +136,7 @@ void add_limits(const StageLimits& limits, std::vector<std::string>& reasons) {
   }
 }
 
-std::string abort_list(const OperationResults& results, const std::optional<Description>& description) {
+Blocks abort_list(const OperationResults& results, const std::optional<Description>& description) {
   std::vector<std::string> reasons;
   add_steps_to_avoid(results, reasons);
   if (const std::optional<double> most = cable_limit(description)) {
@@ -175,49 +150,36 @@ std::string abort_list(const OperationResults& results, const std::optional<Desc
     add_limits(description->operation.lay.program->limits, reasons);
   }
   reasons.emplace_back("Tension, length out or place of the barge cannot be brought to the values of the step.");
-  return "<h3>Stop and hold if</h3>\n" + html::list(reasons);
+  return block::subheading("Stop and hold if") + block::list(reasons);
 }
 
 /// Boxes to be filled by hand where the model says nothing.
-std::string signatures(const std::optional<Description>& description) {
+Blocks signatures(const std::optional<Description>& description) {
   const ReportDescription control = description ? description->report : ReportDescription{};
-  const std::array<std::pair<const char*, std::string>, 6> cells = {{{"Document", control.document},
-                                                                     {"Revision", control.revision},
-                                                                     {"Prepared", control.prepared},
-                                                                     {"Checked", control.checked},
-                                                                     {"Accepted on board", ""},
-                                                                     {"Date and time", ""}}};
-  std::string out;
-  for (const auto& [name, value] : cells) {
-    out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", name, value.empty() ? "&nbsp;" : html::escape(value));
-  }
-  return "<dl class=\"control\">" + out + "</dl>\n";
-}
-
-const StaticResults* first_lay(const OperationResults& results) {
-  for (const StageResult& stage : results.stages) {
-    if (stage.lay) return &*stage.lay;
-  }
-  return nullptr;
+  return block::entry_frame({{"Document", control.document},
+                             {"Revision", control.revision},
+                             {"Prepared", control.prepared},
+                             {"Checked", control.checked},
+                             {"Accepted on board", ""},
+                             {"Date and time", ""}});
 }
 
 }  // namespace
 
-std::string procedure_section(const OperationResults& results, const std::optional<Description>& description) {
+Blocks procedure_section(const OperationResults& results, const std::optional<Description>& description) {
   const StaticResults* lay = first_lay(results);
-  if (lay == nullptr) return "";
+  if (lay == nullptr) return {};
   const std::string subject = fmt::format(
       "{}: {}. {}, water depth {}, pipe {} over the coating.", operation_title(results.type), results.title,
       lay->vessel_name, shown(lay->water_depth, "m", 1), shown(lay->pipe_outer_diameter, section_length(), 0));
-  return html::section(
+  return block::section(
       "procedure", "Procedure sheet",
-      "<p>" + html::escape(subject) + "</p>\n" + signatures(description) + step_table(results, description) +
-          "<p class=\"small\">Values at the end of each step, at rest: motions of the vessel add to them. Astern: of "
-          "the stern shoe; barge ahead: from its place at step 1. Not below: least tension found for the limits; not "
-          "above: breaking load of the cable over its safety factor, times the utilisation that the model allows. Hold "
-          "before: pause, compare "
-          "length, tension and place with the sheet, then "
-          "go on.</p>\n" +
+      block::paragraph(subject) + signatures(description) + step_table(results, description) +
+          block::remark(
+              "Values at the end of each step, at rest: motions of the vessel add to them. Astern: of the stern shoe; "
+              "barge ahead: from its place at step 1. Not below: least tension found for the limits; not above: "
+              "breaking load of the cable over its safety factor, times the utilisation that the model allows. Hold "
+              "before: pause, compare length, tension and place with the sheet, then go on.") +
           abort_list(results, description));
 }
 

@@ -5,31 +5,38 @@
 #include <string>
 #include <vector>
 
-#include "report/page/html.h"
 #include "results/operation_results.h"
+#include "results/tables/table.h"
 
 namespace overbend {
 
-struct StageColumn {
-  std::string group;  ///< Title above neighbouring columns of the same group; empty: none. Plain text.
-  html::Head head;
-  /// Of a stage by its number from 0; empty where it says nothing.
-  std::function<std::string(std::size_t stage)> text;
+/// Fractions in percent.
+inline constexpr ShownUnit kPercent{"1", "%", 100.0, 1};
+
+/// Columns are added from the left; each makes its cells of all rows.
+class StageTable {
+ public:
+  using StageCell = std::function<TableCell(std::size_t stage)>;
+  using LayCell = std::function<TableCell(const StaticResults& lay)>;
+
+  /// `stages` are the numbers of the rows, from 0.
+  StageTable(const OperationResults& results, const std::vector<std::size_t>& stages);
+
+  /// `group` is the head above neighbouring columns; empty: none.
+  void add(const std::string& group, TableColumn column, const StageCell& cell);
+  /// Of the equilibrium of the stage; empty where it has none.
+  void add(const std::string& group, TableColumn column, const LayCell& cell);
+
+  /// Empty cells of numbers become dashes. `marked`: rows of failed and exceeded stages stand out.
+  Table table(const std::string& title, const std::string& look, bool marked = true) const;
+
+ private:
+  const OperationResults& results_;
+  std::vector<std::size_t> stages_;
+  Table table_;
 };
-
-/// `stages` are the numbers of the rows, `css_of` marks them.
-std::string stage_rows_table(const std::string& caption, const std::vector<StageColumn>& columns,
-                             const std::vector<std::size_t>& stages, const std::string& css_class,
-                             const std::function<std::string(std::size_t stage)>& css_of);
-
-/// A value of the equilibrium of a stage; empty where it has none.
-using LayText = std::function<std::string(const StaticResults& lay)>;
-std::function<std::string(std::size_t)> of_lay(const OperationResults& results, LayText text);
 
 /// The numbers of all stages.
 std::vector<std::size_t> all_stages(const OperationResults& results);
-
-/// "over" where a stage has no equilibrium or its checks or its cable are exceeded.
-std::string stage_css(const StageResult& stage);
 
 }  // namespace overbend

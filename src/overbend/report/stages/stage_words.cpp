@@ -58,4 +58,11 @@ std::string stage_title(const OperationResults& results, std::size_t stage) {
   return name.empty() || name == "stage " + number ? number : fmt::format("{} ({})", number, name);
 }
 
+const StaticResults* first_lay(const OperationResults& results) {
+  for (const StageResult& stage : results.stages) {
+    if (stage.lay) return &*stage.lay;
+  }
+  return nullptr;
+}
+
 }  // namespace overbend

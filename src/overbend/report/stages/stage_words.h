@@ -20,4 +20,7 @@ std::string operation_title(OperationType type);
 /// "5 (head over the stinger)"; the number alone where the stage has no name of its own.
 std::string stage_title(const OperationResults& results, std::size_t stage);
 
+/// Equilibrium of the first stage that has one; null without any.
+const StaticResults* first_lay(const OperationResults& results);
+
 }  // namespace overbend

@@ -5,13 +5,12 @@
 #include <functional>
 #include <map>
 
-#include "base/json.h"
 #include "report/moored/line_parts.h"
 #include "report/page/json_number.h"
-#include "report/page/places.h"
 #include "report/page/quantity.h"
 #include "report/stages/hold_points.h"
 #include "report/stages/stage_words.h"
+#include "results/fields/places.h"
 #include "results/sagbend.h"
 
 namespace overbend {
@@ -202,7 +201,7 @@ Json bed_of(const OperationResults& results) {
 
 }  // namespace
 
-std::string stages_data(const OperationResults& results, const std::optional<Description>& description) {
+Json stages_data(const OperationResults& results, const std::optional<Description>& description) {
   const double head_length = description ? head_length_of(description->operation.lay) : 0.0;
   Json stages = Json::array(), hull = Json::array(), supports = Json::array();
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
@@ -211,14 +210,13 @@ std::string stages_data(const OperationResults& results, const std::optional<Des
     hull = hull_of(*results.stages[i].lay);
     supports = supports_of(*results.stages[i].lay);
   }
-  const Json data = {{"stages",
-                      {{"list", std::move(stages)},
-                       {"curves", curve_data(results, description)},
-                       {"out", progress_name(results.type)},
-                       {"hull", std::move(hull)},
-                       {"supports", std::move(supports)},
-                       {"bed", bed_of(results)}}}};
-  return json_text(data);
+  return {{"stages",
+           {{"list", std::move(stages)},
+            {"curves", curve_data(results, description)},
+            {"out", progress_name(results.type)},
+            {"hull", std::move(hull)},
+            {"supports", std::move(supports)},
+            {"bed", bed_of(results)}}}};
 }
 
 }  // namespace overbend

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "base/json.h"
 #include "model/description/description.h"
 #include "results/operation_results.h"
 
@@ -11,6 +11,6 @@ namespace overbend {
 
 /// JSON under "stages": shape of the line at each stage with what of it is pipe, head and cable, results over the
 /// stages, limits, and what stands around. SI but for what says its unit; places as in report_data.h.
-std::string stages_data(const OperationResults& results, const std::optional<Description>& description);
+Json stages_data(const OperationResults& results, const std::optional<Description>& description);
 
 }  // namespace overbend

@@ -1,25 +1,18 @@
 #include "report/static/checks_section.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/shown_unit.h"
 #include "report/page/calculation_sheet.h"
-#include "report/page/figure_list.h"
-#include "report/page/html.h"
 #include "report/page/json_number.h"
-#include "report/page/places.h"
 #include "resultfiles/static/check_tables.h"
+#include "results/fields/places.h"
 #include "results/fields/result_field.h"
 #include "results/verdict.h"
 
 namespace overbend {
 namespace {
-
-using html::fixed;
 
 /// Four significant digits or more, without exponents.
 std::string number(double value) {
@@ -43,13 +36,13 @@ std::string status_of(const CheckRow& row) {
   return row.remark.empty() ? text : text + ": " + row.remark;
 }
 
-std::string row_class(const CheckRow& row) {
-  if (!row.governing) return "soft";
-  return row.status == CheckStatus::exceeded ? "over" : "";
+RowMark mark_of(const CheckRow& row) {
+  if (!row.governing) return RowMark::soft;
+  return row.status == CheckStatus::exceeded ? RowMark::over : RowMark::none;
 }
 
-std::string reserve_of(const CheckRow& row) {
-  return row.reserve >= 999.0 ? "> 999" : fixed(row.reserve, 2);
+TableCell reserve(const CheckRow& row) {
+  return row.reserve >= 999.0 ? TableCell("> 999") : TableCell(row.reserve);
 }
 
 /// Most used first; what could not be judged last.
@@ -65,149 +58,116 @@ std::vector<const CheckRow*> rows_of(const CheckTable& table, CheckRegion region
   return rows;
 }
 
-std::string when(const CheckRow& row) {
-  return row.in_time ? fixed(row.time, 1) : "static";
+TableCell time_of(const CheckRow& row) {
+  return row.in_time ? TableCell(row.time) : TableCell("static");
 }
 
-std::string governing_table(const StaticResults& statics, const CheckTable& table) {
-  html::Table out("Governing check of each region",
-                  {{"Region", "", true},
-                   {"Check", "", true},
-                   {"Code", "", true},
-                   {"Utilisation", "-"},
-                   {"Reserve factor", "-"},
-                   {"Place", "", true},
-                   {"Along pipe", shown_name("m")},
-                   {"Time", "s"},
-                   {"Status", "", true}},
-                  "checks");
+Table governing_table(const StaticResults& statics, const CheckTable& checks) {
+  Table table{"Governing check of each region",
+              {TableColumn("Region"),
+               TableColumn("Check"),
+               TableColumn("Code"),
+               {"Utilisation", "-", 3},
+               {"Reserve factor", "-", 2},
+               TableColumn("Place"),
+               {"Along pipe", "m", 1},
+               {"Time", "s", 1},
+               TableColumn("Status")},
+              "checks"};
   for (const CheckRegion region : check_regions()) {
-    const CheckRow* governing = governing_check(table, region);
-    if (governing == nullptr) continue;
-    const CheckRow& row = *governing;
-    out.row({region_title(region), row.name, code_of(row), fixed(row.utilisation, 3), reserve_of(row),
-             place_name(statics, row), along_pipe(statics, row), when(row), word(row.status)},
-            row_class(row));
+    const CheckRow* row = governing_check(checks, region);
+    if (row == nullptr) continue;
+    table.row({region_title(region), row->name, code_of(*row), row->utilisation, reserve(*row),
+               place_name(statics, *row), along_pipe(statics, *row), time_of(*row), word(row->status)},
+              mark_of(*row));
   }
-  return out.str();
+  return table;
 }
 
-void add_row(html::Table& out, const StaticResults& statics, const CheckRow& row) {
-  if (row.status == CheckStatus::not_done) {
-    out.row({row.name, code_of(row), "", "", "", "", "", "", "", "", "", status_of(row)}, row_class(row));
-    return;
-  }
-  const ShownUnit units = check_unit(row);
-  const Vec3 p = ship_point(statics, row.p_W);
-  out.row({row.name, code_of(row), number(row.demand * units.factor), number(row.capacity * units.factor),
-           in_one(std::string(units.name)), fixed(row.utilisation, 3), reserve_of(row), along_pipe(statics, row),
-           shown_number(p.x(), "m", 1), shown_number(p.z(), "m", 1), when(row), status_of(row)},
-          row_class(row));
-}
-
-std::string region_table(const StaticResults& statics, const CheckTable& table, CheckRegion region) {
-  const std::vector<const CheckRow*> rows = rows_of(table, region);
-  if (rows.empty()) return "";
-  html::Table out(region_title(region),
-                  {{"Check", "", true},
-                   {"Code", "", true},
-                   {"Demand", ""},
-                   {"Capacity", ""},
-                   {"Unit", "", true},
-                   {"Utilisation", "-"},
-                   {"Reserve factor", "-"},
-                   {"Along pipe", shown_name("m")},
-                   {"X", shown_name("m")},
-                   {"Z", shown_name("m")},
-                   {"Time", "s"},
-                   {"Status", "", true}},
-                  "checks");
-  for (const CheckRow* row : rows) add_row(out, statics, *row);
-  return out.str();
-}
-
-/// Of a model without a laid pipe: lines, moorings, anchors, each row with its place.
-std::string objects_table(const StaticResults& statics, const CheckTable& table) {
-  html::Table out("Checks of all lines, moorings and wires",
-                  {{"Check", "", true},
-                   {"Code", "", true},
-                   {"Place", "", true},
-                   {"Demand", ""},
-                   {"Capacity", ""},
-                   {"Unit", "", true},
-                   {"Utilisation", "-"},
-                   {"Reserve factor", "-"},
-                   {"Status", "", true}},
-                  "checks");
-  for (const CheckRow* row : rows_of(table, CheckRegion::line)) {
-    if (row->status == CheckStatus::not_done) {
-      out.row({row->name, code_of(*row), row->line, "", "", "", "", "", status_of(*row)}, row_class(*row));
-      continue;
+/// Every check of a region with its place: along the laid pipe, or in words for lines, moorings and anchors.
+Table region_table(const StaticResults& statics, const CheckTable& checks, CheckRegion region, bool along) {
+  const auto add = [](std::vector<TableColumn>& all, const std::vector<TableColumn>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  std::vector<TableColumn> columns = {TableColumn("Check"), TableColumn("Code")};
+  if (!along) add(columns, {TableColumn("Place")});
+  add(columns, {TableColumn::texts("Demand"),
+                TableColumn::texts("Capacity"),
+                TableColumn("Unit"),
+                {"Utilisation", "-", 3},
+                {"Reserve factor", "-", 2}});
+  if (along) add(columns, {{"Along pipe", "m", 1}, {"X", "m", 1}, {"Z", "m", 1}, {"Time", "s", 1}});
+  add(columns, {TableColumn("Status")});
+  Table table{along ? region_title(region) : "Checks of all lines, moorings and wires", columns, "checks"};
+  for (const CheckRow* row : rows_of(checks, region)) {
+    std::vector<TableCell> cells = {row->name, code_of(*row)};
+    const bool done = row->status != CheckStatus::not_done;
+    if (!along) cells.emplace_back(done ? place_name(statics, *row) : row->line);
+    if (done) {
+      const ShownUnit unit = check_unit(*row);
+      cells.insert(cells.end(), {number(row->demand * unit.factor), number(row->capacity * unit.factor),
+                                 in_one(std::string(unit.name)), row->utilisation, reserve(*row)});
     }
-    const ShownUnit units = check_unit(*row);
-    out.row({row->name, code_of(*row), place_name(statics, *row), number(row->demand * units.factor),
-             number(row->capacity * units.factor), in_one(std::string(units.name)), fixed(row->utilisation, 3),
-             reserve_of(*row), status_of(*row)},
-            row_class(*row));
+    if (done && along) {
+      const Vec3 p = ship_point(statics, row->p_W);
+      cells.insert(cells.end(), {along_pipe(statics, *row), p.x(), p.z(), time_of(*row)});
+    }
+    cells.resize(columns.size() - 1);
+    cells.emplace_back(status_of(*row));
+    table.row(cells, mark_of(*row));
   }
-  return out.str();
+  return table;
 }
 
-std::string inputs_table(const CheckTable& table) {
-  html::Table out("",
-                  {{"Check", "", true},
-                   {"Region", "", true},
-                   {"Symbol", "", true},
-                   {"Meaning", "", true},
-                   {"Value", ""},
-                   {"Unit", "", true}},
-                  "dense");
-  for (const CheckRow& row : table.rows) {
+Table inputs_table(const CheckTable& checks) {
+  Table table{"",
+              {TableColumn("Check"), TableColumn("Region"), TableColumn("Symbol"), TableColumn("Meaning"),
+               TableColumn::texts("Value"), TableColumn("Unit")},
+              "dense"};
+  for (const CheckRow& row : checks.rows) {
     std::string name = row.name + ", " + row.code;
     for (const CheckInput& input : row.inputs) {
-      const ShownUnit units = check_unit(input);
-      out.row({name, region_title(row.region), input.symbol, input.meaning, number(input.value * units.factor),
-               std::string(units.name)});
+      const ShownUnit unit = check_unit(input);
+      table.row(
+          {name, region_title(row.region), input.symbol, input.meaning, number(input.value * unit.factor), unit.name});
       name.clear();
     }
   }
-  return html::folded("Input values of each check", out.str());
+  return table;
 }
 
 /// Summary of the table, and the meaning of its columns.
-std::string headline(const CheckTable& table) {
-  return "<p>" + html::escape(make_verdict(table, {}).because) +
-         " The reserve factor is the factor on the load effects, at unchanged pressure, at which the utilisation is 1. "
-         "<a href=\"#calculation-sheet\">" +
-         kBasisOfChecks + "</a></p>\n";
+Blocks headline(const CheckTable& table) {
+  return block::paragraph(make_verdict(table, {}).because +
+                              " The reserve factor is the factor on the load effects, at unchanged pressure, at which "
+                              "the utilisation is 1.",
+                          kBasisOfChecks, "calculation-sheet");
 }
 
 }  // namespace
 
-std::string checks_section(const StaticResults& statics, const CheckTable& table, int& number) {
+Blocks checks_section(const StaticResults& statics, const CheckTable& table) {
+  if (table.rows.empty() && table.along.s.empty()) return {};
+  Blocks body = headline(table);
   if (table.along.s.empty()) {
-    return table.rows.empty() ? ""
-                              : html::section("checks", "Code checks", headline(table) + objects_table(statics, table));
+    body += region_table(statics, table, CheckRegion::line, false);
+    return block::section("checks", "Code checks", body);
   }
-  std::string body = headline(table) + governing_table(statics, table);
-  const std::vector<Figure> figures = {
-      {"checks",
-       "Utilisation of the code checks along the pipe: DNV displacement controlled (DNV strain) and load controlled "
-       "(DNV load), simplified laying criteria (laying strain), equivalent stress over 0.87 f_y (stress), bending and "
-       "external pressure (API RP 1111)",
-       {"whole", "overbend"}}};
-  body += figure_list(
-      figures, [&](const Figure&, const std::string& part) { return part == "whole" || !statics.supports.empty(); },
-      number);
-  std::string tables;
-  for (const CheckRegion region : check_regions()) tables += region_table(statics, table, region);
-  return html::section("checks", "Code checks", body + tables);
+  Figure figure = {
+      "checks",
+      "Utilisation of the code checks along the pipe: DNV displacement controlled (DNV strain) and load controlled "
+      "(DNV load), simplified laying criteria (laying strain), equivalent stress over 0.87 f_y (stress), bending and "
+      "external pressure (API RP 1111)",
+      {"whole"}};
+  if (!statics.supports.empty()) figure.parts.emplace_back("overbend");
+  body += governing_table(statics, table) + block::figure(figure);
+  for (const CheckRegion region : check_regions()) body += region_table(statics, table, region, true);
+  return block::section("checks", "Code checks", body);
 }
 
-std::string check_inputs_section(const CheckTable& table) {
-  return table.rows.empty()
-             ? ""
-             : html::section("check-inputs", "Appendix: input values of the checks", inputs_table(table));
+Blocks check_inputs_section(const CheckTable& table) {
+  return block::section("check-inputs", "Appendix: input values of the checks",
+                        block::folded("Input values of each check", inputs_table(table)));
 }
 
 Json checks_figure_data(const StaticResults& statics, const CheckTable& table) {

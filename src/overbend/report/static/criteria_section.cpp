@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "report/page/html.h"
-
 namespace overbend {
 namespace {
 
@@ -34,16 +32,14 @@ std::string rule_on_findings(const std::optional<Description>& description) {
 
 }  // namespace
 
-std::string criteria_section(const CheckTable& checks, const std::optional<Description>& description) {
-  if (checks.rows.empty()) return "";
-  html::Table table(
-      "", {{"Criterion", "", true}, {"Code or source", "", true}, {"Clause", "", true}, {"Use", "", true}}, "plain");
+Blocks criteria_section(const CheckTable& checks, const std::optional<Description>& description) {
+  if (checks.rows.empty()) return {};
+  Table table{"", {TableColumn("Criterion"), TableColumn("Code or source"), TableColumn("Clause"), TableColumn("Use")}};
   for (const CheckRow& row : distinct_checks(checks)) {
     table.row({row.name, row.code, row.clause.empty() ? "-" : row.clause, row.governing ? "decides" : "information"},
-              row.governing ? "" : "soft");
+              row.governing ? RowMark::none : RowMark::soft);
   }
-  return html::section("criteria", "Acceptance criteria",
-                       "<p>" + html::escape(rule_on_findings(description)) + "</p>\n" + table.str());
+  return block::section("criteria", "Acceptance criteria", block::paragraph(rule_on_findings(description)) + table);
 }
 
 }  // namespace overbend

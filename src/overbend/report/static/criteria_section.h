@@ -2,15 +2,15 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "model/description/description.h"
+#include "report/page/blocks.h"
 #include "results/check_results.h"
 
 namespace overbend {
 
 /// Every criterion once, those that decide first; then the rule on findings with those that the project accepts. Empty
 /// without checks.
-std::string criteria_section(const CheckTable& checks, const std::optional<Description>& description);
+Blocks criteria_section(const CheckTable& checks, const std::optional<Description>& description);
 
 }  // namespace overbend

@@ -2,75 +2,65 @@
 
 #include <cmath>
 
-#include "report/page/html.h"
 #include "report/page/quantity.h"
 
 namespace overbend {
 namespace {
 
-std::string to_side(double value, std::string_view si, int digits) {
-  return shown_number(std::abs(value), si, digits) + (value < 0.0 ? " to starboard" : " to port");
-}
-
-std::string route_table(const RouteResults& route) {
-  html::Table table("", {{"Pipe on its route", "", true}, {"", "", true}});
-  table.row({name_with_unit("Touchdown beside the route", "m"), to_side(route.laid_offset, "m", 2)});
-  table.row({name_with_unit("Side load on rollers and tensioner", "N"), to_side(route.side_load_supports, "N", 2)});
-  table.row({name_with_unit("Side load on the seabed", "N"), to_side(route.side_load_bed, "N", 2)});
-  if (route.least_radius > 0.0) {
-    table.row({name_with_unit("Least radius that friction holds, H / (mu w)", "m"),
-               shown_number(route.least_radius, "m", 0)});
-  }
+/// Words in both columns: each row has a unit of its own, in its name.
+Table route_table(const RouteResults& route) {
+  Table table{"", {TableColumn("Pipe on its route"), TableColumn("")}, ""};
+  const auto row = [&](const std::string& name, double value, std::string_view si, int digits,
+                       const std::string& note = "") {
+    table.row({name_with_unit(name, si), shown_number(value, si, digits) + note});
+  };
+  const auto side_row = [&](const std::string& name, double value, std::string_view si) {
+    row(name, std::abs(value), si, 2, value < 0.0 ? " to starboard" : " to port");
+  };
+  side_row("Touchdown beside the route", route.laid_offset, "m");
+  side_row("Side load on rollers and tensioner", route.side_load_supports, "N");
+  side_row("Side load on the seabed", route.side_load_bed, "N");
+  if (route.least_radius > 0.0) row("Least radius that friction holds, H / (mu w)", route.least_radius, "m", 0);
   if (route.radius > 0.0) {
-    table.row({name_with_unit("Smallest radius of the route behind touchdown", "m"),
-               shown_number(route.radius, "m", 0) + (route.holds ? ", holds" : ", does not hold")});
-    table.row({name_with_unit("Length of pipe that has slid sideways", "m"), shown_number(route.slid_length, "m", 1)});
-    table.row({name_with_unit("Largest offset from the route", "m"), to_side(route.largest_offset, "m", 2)});
-    table.row({name_with_unit("Where, astern of the stern shoe", "m"), shown_number(route.offset_x, "m", 1)});
+    row("Smallest radius of the route behind touchdown", route.radius, "m", 0,
+        route.holds ? ", holds" : ", does not hold");
+    row("Length of pipe that has slid sideways", route.slid_length, "m", 1);
+    side_row("Largest offset from the route", route.largest_offset, "m");
+    row("Where, astern of the stern shoe", route.offset_x, "m", 1);
   }
-  return table.str();
+  return table;
 }
 
-std::vector<std::string> cells_of(const RollerFrictionCase& answer) {
-  return {answer.name,
-          forces().text(answer.top_tension, 1),
-          forces().text(answer.bottom_tension, 1),
-          shown_number(answer.lay_back, "m", 2),
-          shown_number(answer.tip_side, "m", 3),
-          clearances().text(answer.off_roller),
-          stresses().text(answer.overbend_stress, 1),
-          stresses().text(answer.sagbend_stress, 1),
-          forces().text(answer.largest_reaction, 1)};
-}
-
-std::string limits_table(const std::vector<RollerFrictionCase>& answers) {
-  html::Table table("",
-                    {{"Limit", "", true},
-                     {"Top tension", shown_name("N")},
-                     {"Bottom tension", shown_name("N")},
-                     {"Lay-back", shown_name("m")},
-                     {"Side at the tip", shown_name("m")},
-                     {"Off its roller", clearances().unit},
-                     {"Overbend", shown_name("Pa")},
-                     {"Sagbend", shown_name("Pa")},
-                     {"Largest reaction", shown_name("N")}},
-                    "dense");
-  for (const RollerFrictionCase& answer : answers) table.row(cells_of(answer));
-  return table.str() +
-         "<p class=\"small\">frictionless: rollers turn freely. lay, haul: full friction along the pipe, as it is paid "
-         "out and as it is hauled in. port, starboard: full friction across, pushing the pipe to that side. pulled "
-         "across: the pipe lay straight on its route before the side load came. Side at the tip: to port of the "
-         "barge's axis. Stresses are von Mises.</p>\n";
+Blocks limits(const std::vector<RollerFrictionCase>& cases) {
+  if (cases.empty()) return {};
+  Table table{"",
+              {TableColumn("Limit"),
+               {"Top tension", "N", 1},
+               {"Bottom tension", "N", 1},
+               {"Lay-back", "m", 2},
+               {"Side at the tip", "m", 3},
+               {"Off its roller", section_length(), section_length().digits},
+               {"Overbend", "Pa", 1},
+               {"Sagbend", "Pa", 1},
+               {"Largest reaction", "N", 1}},
+              "dense"};
+  for (const RollerFrictionCase& limit : cases) {
+    table.row({limit.name, limit.top_tension, limit.bottom_tension, limit.lay_back, limit.tip_side, limit.off_roller,
+               limit.overbend_stress, limit.sagbend_stress, limit.largest_reaction});
+  }
+  return table + block::remark(
+                     "frictionless: rollers turn freely. lay, haul: full friction along the pipe, as it is paid out "
+                     "and as it is hauled in. port, starboard: full friction across, pushing the pipe to that side. "
+                     "pulled across: the pipe lay straight on its route before the side load came. Side at the tip: "
+                     "to port of the barge's axis. Stresses are von Mises.");
 }
 
 }  // namespace
 
-std::string friction_section(const StaticResults& results) {
-  if (!results.route && results.roller_friction.empty()) return "";
-  std::string body;
+Blocks friction_section(const StaticResults& results) {
+  Blocks body;
   if (results.route) body += route_table(*results.route);
-  if (!results.roller_friction.empty()) body += limits_table(results.roller_friction);
-  return html::section("friction", "What friction decides", body);
+  return block::section("friction", "What friction decides", body + limits(results.roller_friction));
 }
 
 }  // namespace overbend

@@ -14,7 +14,7 @@
 namespace overbend {
 namespace {
 
-std::string section_table(const SectionDescription& pipe, const std::string& name) {
+Table section_table(const SectionDescription& pipe, const std::string& name) {
   Listing list("Pipe: " + name);
   list.add("Steel outside diameter", pipe.steel.outside_diameter, section_length())
       .add("Wall thickness", pipe.steel.wall_thickness, section_length())
@@ -38,13 +38,13 @@ std::string section_table(const SectionDescription& pipe, const std::string& nam
     list.add("Contents", pipe.contents_weight_density, "N/m3")
         .add("Internal pressure at the water level", pipe.internal_pressure, "Pa");
   }
-  return list.str();
+  return list.table();
 }
 
 /// The line's own section, then the segments'.
-std::string pipe_tables(const Description& model) {
-  if (!model.has_pipe) return "";
-  std::string tables = section_table(model.pipe.section, "the line");
+Blocks pipe_tables(const Description& model) {
+  if (!model.has_pipe) return {};
+  Blocks tables = section_table(model.pipe.section, "the line");
   for (const SegmentDescription& segment : model.pipe.segments) {
     tables +=
         section_table(segment.section, segment.name + ", " + general(segment.length, "m") + " " + shown_name("m"));
@@ -52,7 +52,7 @@ std::string pipe_tables(const Description& model) {
   return tables;
 }
 
-std::string environment_table(const EnvironmentDescription& sea) {
+Table environment_table(const EnvironmentDescription& sea) {
   Listing list("Environment");
   list.add("Water depth at the stern shoe", sea.water_depth, "m")
       .add("Water weight density", sea.water_weight_density, "N/m3")
@@ -75,7 +75,7 @@ std::string environment_table(const EnvironmentDescription& sea) {
                  general(at.towards, "rad") + " deg",
              at.speed, "m/s");
   }
-  return list.str();
+  return list.table();
 }
 
 /// Radius of a structure and, of boxes told as a row, how many there are and how far apart.
@@ -106,8 +106,8 @@ void add_spread(Listing& list, const Description& model) {
   }
 }
 
-std::string vessel_table(const Description& model) {
-  if (!has_vessel(model)) return "";
+Table vessel_table(const Description& model) {
+  if (!has_vessel(model)) return {};
   const VesselDescription& vessel = model.vessel;
   Listing list(model.has_pipe ? "Vessel and tensioner" : "Vessel");
   list.add("Vessel", vessel.name)
@@ -116,13 +116,10 @@ std::string vessel_table(const Description& model) {
       .add("Heading", vessel.heading, "rad")
       .add("Trim, heel", {vessel.trim, vessel.heel}, "rad");
   if (model.has_pipe) add_spread(list, model);
-  return list.str();
+  return list.table();
 }
 
-std::string roller_kinds_table(const std::vector<RollerKindDescription>& kinds) {
-  if (kinds.empty()) {
-    return "";
-  }
+Table roller_kinds_table(const std::vector<RollerKindDescription>& kinds) {
   Listing list("Rollers");
   for (const RollerKindDescription& kind : kinds) {
     list.add(kind.name + ": bottom radius, face", {kind.bottom.radius, kind.bottom.face}, "m");
@@ -135,7 +132,7 @@ std::string roller_kinds_table(const std::vector<RollerKindDescription>& kinds) 
       list.add(kind.name + ": stiffness", *kind.stiffness, "N/m");
     }
   }
-  return list.str();
+  return list.table();
 }
 
 /// Numbers of the sea; its type is in the report's header.
@@ -154,7 +151,7 @@ void add_waves(Listing& list, const WavesDescription& waves, std::uint64_t seed)
   list.add("Waves from", waves.from, "rad");
 }
 
-std::string dynamics_table(const Description& model, const DynamicResults& results) {
+Table dynamics_table(const Description& model, const DynamicResults& results) {
   const HydrodynamicsDescription& water = model.pipe.section.hydrodynamics;
   Listing list("Sea, motion and time");
   add_waves(list, model.environment.waves, results.seed);
@@ -172,57 +169,53 @@ std::string dynamics_table(const Description& model, const DynamicResults& resul
     list.add("Operational range of tension",
              general(*tensioner.range_low, "N") + " to " + general(*tensioner.range_high, "N"), shown_name("N"));
   }
-  return list.str();
+  return list.table();
 }
 
-std::string derived_table(const StaticResults& results) {
-  if (results.sections.empty()) return "";
-  html::Table table("Derived section properties",
-                    {{"Section", "", true},
-                     {"EA", shown_name("N")},
-                     {"EI", shown_name("N m2")},
-                     {"Weight in air", shown_name("N/m")},
-                     {"Submerged", shown_name("N/m")},
-                     {"Steel area", std::string(steel_area().name)},
-                     {"Second moment", std::string(steel_inertia().name)},
-                     {"Outer diameter", std::string(section_length().name)},
-                     {"Mass", shown_name("kg/m")}},
-                    "plain");
+Table derived_table(const StaticResults& results) {
+  Table table{"Derived section properties",
+              {TableColumn("Section"),
+               {"EA", "N", 0},
+               {"EI", "N m2", 1},
+               {"Weight in air", "N/m", 6},
+               {"Submerged", "N/m", 6},
+               {"Steel area", steel_area(), 1},
+               {"Second moment", steel_inertia(), 1},
+               {"Outer diameter", section_length(), 1},
+               {"Mass", "kg/m", 2}}};
   for (const DerivedSection& s : results.sections) {
-    table.row({s.name, shown_number(s.EA, "N", 0), shown_number(s.EI, "N m2", 1),
-               shown_number(s.weight_in_air, "N/m", 6), shown_number(s.weight_submerged, "N/m", 6),
-               shown_number(s.steel_area, steel_area(), 1), shown_number(s.second_moment, steel_inertia(), 1),
-               shown_number(s.outer_diameter, section_length(), 1), shown_number(s.mass, "kg/m", 2)});
+    table.row({s.name, s.EA, s.EI, s.weight_in_air, s.weight_submerged, s.steel_area, s.second_moment, s.outer_diameter,
+               s.mass});
   }
-  return table.str();
+  return table;
 }
 
 }  // namespace
 
-std::string inputs_section(const StaticResults& results, const std::optional<Description>& description,
-                           const DynamicResults* dynamic) {
-  std::string body;
+Blocks inputs_section(const StaticResults& results, const std::optional<Description>& description,
+                      const DynamicResults* dynamic) {
+  Blocks body;
   if (description) {
-    body = "<div class=\"columns\">\n" + pipe_tables(*description) + vessel_table(*description) +
-           environment_table(description->environment) + roller_kinds_table(description->rollers) +
-           hull_inputs(*description) + (dynamic != nullptr ? dynamics_table(*description, *dynamic) : "") + "</div>\n" +
-           mooring_inputs(*description) + line_inputs(*description);
+    Blocks listings = pipe_tables(*description) + vessel_table(*description) +
+                      environment_table(description->environment) + roller_kinds_table(description->rollers) +
+                      hull_inputs(*description);
+    if (dynamic != nullptr) listings += dynamics_table(*description, *dynamic);
+    body = block::columns(listings) + mooring_inputs(*description) + line_inputs(*description);
   }
-  body += derived_table(results);
-  return body.empty() ? "" : html::section("inputs", "Inputs", body);
+  return block::section("inputs", "Inputs", body + derived_table(results));
 }
 
-std::string assumptions_section(const Assumptions& assumptions) {
+Blocks assumptions_section(const Assumptions& assumptions) {
   constexpr std::array<std::pair<AssumptionRank, const char*>, 3> kHeads = {
       {{AssumptionRank::governing, "Governing assumptions"},
        {AssumptionRank::setting, "Settings of the model file"},
        {AssumptionRank::other, "Other assumptions"}}};
-  std::string body;
+  Blocks body;
   for (const auto& [rank, head] : kHeads) {
     const std::vector<std::string> list = texts(assumptions, rank);
-    if (!list.empty()) body += "<h3>" + std::string(head) + "</h3>\n" + html::list(list);
+    if (!list.empty()) body += block::subheading(head) + block::list(list);
   }
-  return body.empty() ? "" : html::section("assumptions", "Assumptions", body);
+  return block::section("assumptions", "Assumptions", body);
 }
 
 }  // namespace overbend

@@ -1,70 +1,64 @@
-#include "report/page/html.h"
-#include "report/page/quantity.h"
+#include "report/page/listing.h"
 #include "report/page/sections.h"
 
 namespace overbend {
 namespace {
 
-std::string extremes_table(const BedResults& bed) {
-  html::Table table(
-      "", {{"Of the laid pipe", "", true}, {"Value", ""}, {"Unit", "", true}, {"Astern", shown_name("m")}}, "summary");
-  table.row({"Largest penetration", clearances().text(bed.largest_penetration, 1), clearances().unit,
-             shown_number(bed.penetration_x, "m", 1)});
-  table.row({"Largest hogging moment", moments().text(bed.hogging_moment, 1), moments().unit,
-             shown_number(bed.hogging_x, "m", 1)});
-  table.row({"Largest sagging moment", moments().text(bed.sagging_moment, 1), moments().unit,
-             shown_number(bed.sagging_x, "m", 1)});
-  table.row({"Largest bending stress", stresses().text(bed.bending_stress, 1), stresses().unit, ""});
-  table.row({"Tension at the far end", forces().text(bed.tail_tension, 1), forces().unit, ""});
-  return table.str();
+Table extremes_table(const BedResults& bed) {
+  Table table{"",
+              {TableColumn("Of the laid pipe"), TableColumn::texts("Value"), TableColumn("Unit"), {"Astern", "m", 1}},
+              "summary"};
+  const auto row = [&](const char* name, double value, const ShownUnit& unit, std::optional<double> astern = {}) {
+    table.row({name, shown_number(value, unit, 1), unit.name, astern});
+  };
+  row("Largest penetration", bed.largest_penetration, section_length(), bed.penetration_x);
+  row("Largest hogging moment", bed.hogging_moment, shown_unit("N m"), bed.hogging_x);
+  row("Largest sagging moment", bed.sagging_moment, shown_unit("N m"), bed.sagging_x);
+  row("Largest bending stress", bed.bending_stress, shown_unit("Pa"));
+  row("Tension at the far end", bed.tail_tension, shown_unit("N"));
+  return table;
 }
 
-std::string contacts_table(const BedResults& bed) {
-  html::Table table(
-      "",
-      {{"Contact", "", true}, {"from", shown_name("m")}, {"to", shown_name("m")}, {"Penetration", clearances().unit}},
-      "dense summary");
-  for (std::size_t i = 0; i < bed.contacts.size(); ++i) {
-    const BedContactResult& contact = bed.contacts[i];
-    table.row({std::to_string(i + 1), shown_number(contact.x_from, "m", 2), shown_number(contact.x_to, "m", 2),
-               clearances().text(contact.largest_penetration, 1)});
+Table contacts_table(const BedResults& bed) {
+  Table table{"",
+              {TableColumn("Contact"), {"from", "m", 2}, {"to", "m", 2}, {"Penetration", section_length(), 1}},
+              "dense summary"};
+  for (const BedContactResult& contact : bed.contacts) {
+    table.row({std::to_string(table.rows.size() + 1), contact.x_from, contact.x_to, contact.largest_penetration});
   }
-  return table.str();
+  return table;
 }
 
-std::string spans_table(const BedResults& bed) {
-  if (bed.spans.empty()) return "<p>The laid pipe touches the seabed all along.</p>\n";
-  html::Table table("",
-                    {{"Free span", "", true},
-                     {"from", shown_name("m")},
-                     {"to", shown_name("m")},
-                     {"Length", shown_name("m")},
-                     {"Gap", shown_name("m")},
-                     {"at", shown_name("m")},
-                     {"Sagging moment", moments().unit},
-                     {"at", shown_name("m")},
-                     {"Bending stress", stresses().unit}},
-                    "dense summary");
-  for (std::size_t i = 0; i < bed.spans.size(); ++i) {
-    const FreeSpanResult& span = bed.spans[i];
-    table.row({std::to_string(i + 1), shown_number(span.x_from, "m", 2), shown_number(span.x_to, "m", 2),
-               shown_number(span.length, "m", 2), shown_number(span.largest_gap, "m", 3),
-               shown_number(span.gap_x, "m", 1), moments().text(span.sagging_moment, 1),
-               shown_number(span.moment_x, "m", 1), stresses().text(span.bending_stress, 1)});
+Blocks spans(const BedResults& bed) {
+  if (bed.spans.empty()) return block::paragraph("The laid pipe touches the seabed all along.");
+  Table table{"",
+              {TableColumn("Free span"),
+               {"from", "m", 2},
+               {"to", "m", 2},
+               {"Length", "m", 2},
+               {"Gap", "m", 3},
+               {"at", "m", 1},
+               {"Sagging moment", "N m", 1},
+               {"at", "m", 1},
+               {"Bending stress", "Pa", 1}},
+              "dense summary"};
+  for (const FreeSpanResult& span : bed.spans) {
+    table.row({std::to_string(table.rows.size() + 1), span.x_from, span.x_to, span.length, span.largest_gap, span.gap_x,
+               span.sagging_moment, span.moment_x, span.bending_stress});
   }
-  return table.str();
+  return table;
 }
 
 }  // namespace
 
-std::string laid_pipe_section(const StaticResults& results) {
-  if (!results.bed) return "";
-  return html::section(
+Blocks laid_pipe_section(const StaticResults& results) {
+  if (!results.bed) return {};
+  return block::section(
       "laid-pipe", "Pipe on the seabed",
-      extremes_table(*results.bed) + contacts_table(*results.bed) + spans_table(*results.bed) +
-          "<p class=\"small\">Places count astern of the stern shoe, lengths along the unstressed pipe. "
-          "Gaps are square to the seabed, from the underside of the pipe. Gaps of a few "
-          "millimetres depend on the stiffness of the seabed.</p>\n");
+      extremes_table(*results.bed) + contacts_table(*results.bed) + spans(*results.bed) +
+          block::remark("Places count astern of the stern shoe, lengths along the unstressed pipe. Gaps are square to "
+                        "the seabed, from the underside of the pipe. Gaps of a few millimetres depend on the "
+                        "stiffness of the seabed."));
 }
 
 }  // namespace overbend

@@ -1,9 +1,7 @@
 #include <algorithm>
 
-#include "report/page/html.h"
-#include "report/page/places.h"
-#include "report/page/quantity.h"
 #include "report/page/sections.h"
+#include "results/fields/places.h"
 
 namespace overbend {
 namespace {
@@ -22,55 +20,57 @@ const SupportDynamics* over_time(const DynamicResults* dynamic, const std::strin
   return at == dynamic->supports.end() ? nullptr : &*at;
 }
 
-std::vector<html::Head> head(bool dynamic) {
-  std::vector<html::Head> columns = {{"Box", "", true},
-                                     {"On", "", true},
-                                     {"X", shown_name("m")},
-                                     {"Z", shown_name("m")},
-                                     {"Offset", clearances().unit},
-                                     {"Along pipe", shown_name("m")},
-                                     {"Reaction", shown_name("N")}};
-  if (dynamic) columns.push_back({"Largest", shown_name("N")});
-  columns.push_back({"Separation", clearances().unit});
-  if (dynamic) columns.push_back({"Smallest", clearances().unit});
-  return columns;
+Table setting_table(bool dynamic) {
+  Table table{"",
+              {TableColumn("Box"),
+               TableColumn("On"),
+               {"X", "m", 3},
+               {"Z", "m", 3},
+               {"Offset", section_length(), 0},
+               {"Along pipe", "m", 1},
+               {"Reaction", "N", 1}},
+              "plain setting"};
+  if (dynamic) table.column({"Largest", "N", 1});
+  table.column({"Separation", section_length(), 1});
+  if (dynamic) table.column({"Smallest", section_length(), 1});
+  return table;
 }
 
-std::vector<std::string> cells(const StaticResults& results, const SupportResult& box, const BoxDescription* setting,
-                               const SupportDynamics* moved) {
+std::vector<TableCell> cells(const StaticResults& results, const SupportResult& box, const BoxDescription* setting,
+                             const SupportDynamics* moved) {
   const Vec3 p = ship_point(results, box.p_W);
-  std::vector<std::string> row = {box.name, box.stinger ? "stinger" : "ramp"};
-  row.push_back(shown_number(setting != nullptr ? setting->x : p.x(), "m", 3));
-  row.push_back(shown_number(setting != nullptr ? setting->z : p.z() - results.stern_shoe_W.z(), "m", 3));
-  row.push_back(setting != nullptr ? clearances().text(setting->offset, 0) : "");
-  row.push_back(shown_number(from_tensioner(results, box.s), "m", 1));
-  row.push_back(forces().text(box.reaction, 1));
-  if (moved != nullptr) row.push_back(forces().text(moved->reaction.max, 1));
-  row.push_back(clearances().text(box.separation, 1));
-  if (moved != nullptr) row.push_back(clearances().text(moved->separation.min, 1));
+  std::vector<TableCell> row = {box.name, box.stinger ? "stinger" : "ramp"};
+  if (setting != nullptr) {
+    row.insert(row.end(), {setting->x, setting->z, setting->offset});
+  } else {
+    row.insert(row.end(), {p.x(), p.z() - results.stern_shoe_W.z(), TableCell()});
+  }
+  row.insert(row.end(), {from_tensioner(results, box.s), box.reaction});
+  if (moved != nullptr) row.emplace_back(moved->reaction.max);
+  row.emplace_back(box.separation);
+  if (moved != nullptr) row.emplace_back(moved->separation.min);
   return row;
 }
 
 }  // namespace
 
-std::string lay_setting_section(const StaticResults& results, const std::optional<Description>& description,
-                                const DynamicResults* dynamic) {
-  if (results.supports.empty()) return "";
-  html::Table table("", head(dynamic != nullptr), "plain setting");
+Blocks lay_setting_section(const StaticResults& results, const std::optional<Description>& description,
+                           const DynamicResults* dynamic) {
+  Table table = setting_table(dynamic != nullptr);
   for (const SupportResult& box : results.supports) {
     table.row(cells(results, box, setting_of(description, box.name), over_time(dynamic, box.name)),
-              box.reaction > 0.0 ? "" : "soft");
+              box.reaction > 0.0 ? RowMark::none : RowMark::soft);
   }
-  return html::section(
+  if (table.empty()) return {};
+  return block::section(
       "lay-setting", "Lay setting",
-      table.str() +
-          "<p class=\"small\">X, Z: from the stern shoe, astern and up, in the vessel's axes, where the underside of "
-          "the coated pipe rests; offset: raises the box from there along the normal of the support curve. Along pipe: "
-          "from the tensioner. Reaction: resultant of the box; separation: the smallest of its bottom rollers, "
-          "negative "
-          "is penetration due to the contact stiffness. Boxes in grey carry no load" +
-          std::string(dynamic != nullptr ? " in the static state. Maxima and minima are those of the run.</p>\n"
-                                         : ".</p>\n"));
+      table +
+          block::remark(
+              "X, Z: from the stern shoe, astern and up, in the vessel's axes, where the underside of the coated pipe "
+              "rests; offset: raises the box from there along the normal of the support curve. Along pipe: from the "
+              "tensioner. Reaction: resultant of the box; separation: the smallest of its bottom rollers, negative is "
+              "penetration due to the contact stiffness. Boxes in grey carry no load" +
+              std::string(dynamic != nullptr ? " in the static state. Maxima and minima are those of the run." : ".")));
 }
 
 }  // namespace overbend

@@ -64,85 +64,85 @@ void add_types(const std::vector<LineSegmentDescription>& segments, Types& types
   }
 }
 
-std::string type_table(const Types& types) {
-  html::Table table("Types of line",
-                    {{"Type", "", true},
-                     {"Diameter", clearances().unit},
-                     {"In air", std::string(line_weight().name)},
-                     {"Submerged", std::string(line_weight().name)},
-                     {"EA", std::string(rope_stiffness().name)},
-                     {"EI", shown_name("N m2")},
-                     {"Breaking load", shown_name("N")},
-                     {"Drag, normal and axial", ""},
-                     {"Friction", ""},
-                     {"Made from", "", true}},
-                    "dense summary");
+Table type_table(const Types& types) {
+  Table table{"Types of line",
+              {TableColumn("Type"),
+               TableColumn::texts("Diameter", section_length().name),
+               {"In air", line_weight(), 1},
+               {"Submerged", line_weight(), 1},
+               {"EA", rope_stiffness(), 1},
+               TableColumn::texts("EI", shown_name("N m2")),
+               TableColumn::texts("Breaking load", shown_name("N")),
+               TableColumn::texts("Drag, normal and axial"),
+               TableColumn::texts("Friction"),
+               TableColumn("Made from")},
+              "dense summary"};
   for (const LineTypeDescription* type : types) {
     table.row({type->name.empty() ? "in place" : type->name, general(type->diameter, section_length()),
-               shown_number(type->weight_in_air, line_weight(), 1),
-               shown_number(type->weight_submerged, line_weight(), 1),
-               shown_number(type->axial_stiffness, rope_stiffness(), 1), general(type->bending_stiffness, "N m2"),
-               force(type->breaking_load), general(type->drag_normal) + ", " + general(type->drag_axial),
+               type->weight_in_air, type->weight_submerged, type->axial_stiffness,
+               general(type->bending_stiffness, "N m2"), force(type->breaking_load),
+               general(type->drag_normal) + ", " + general(type->drag_axial),
                type->friction ? general(*type->friction) : "-", type->made_from});
   }
-  return table.str();
+  return table;
 }
 
-std::string winch_table(const std::vector<WinchDescription>& winches) {
-  if (winches.empty()) return "";
-  html::Table table("Winches",
-                    {{"Winch", "", true},
-                     {"Speed", shown_name("m/s")},
-                     {"Haul", shown_name("N")},
-                     {"Stall", shown_name("N")},
-                     {"Brake", shown_name("N")},
-                     {"Drum", shown_name("m")}},
-                    "plain");
+Table winch_table(const std::vector<WinchDescription>& winches) {
+  const auto column = [](const char* title, std::string_view si) { return TableColumn::texts(title, shown_name(si)); };
+  Table table{"Winches",
+              {TableColumn("Winch"), column("Speed", "m/s"), column("Haul", "N"), column("Stall", "N"),
+               column("Brake", "N"), column("Drum", "m")}};
   for (const WinchDescription& winch : winches) {
     table.row({winch.name, general(winch.speed, "m/s"), force(winch.haul), force(winch.stall), force(winch.brake),
                winch.drum ? general(*winch.drum, "m") : "-"});
   }
-  return table.str();
+  return table;
 }
 
-std::string fairlead_table(const MooringsDescription& moorings) {
-  html::Table table("Fairleads and anchors as given",
-                    {{"Line", "", true},
-                     {"Fairlead x, y, z", shown_name("m")},
-                     {"Anchor", "", true},
-                     {"Wished tension", shown_name("N")},
-                     {"Length", shown_name("m")},
-                     {"Winch", "", true},
-                     {"Holding power", shown_name("N")}},
-                    "dense summary");
+std::string anchor_words(const MooringLineDescription& line) {
+  std::string words;
+  if (line.anchor) {
+    words =
+        fmt::format("x {}, y {} {}", general((*line.anchor)[0], "m"), general((*line.anchor)[1], "m"), shown_name("m"));
+  }
+  if (line.bearing) words = "bearing " + shown_number(*line.bearing, "rad", 1) + " deg";
+  if (line.azimuth) words = "azimuth " + shown_number(*line.azimuth, "rad", 1) + " deg";
+  if (line.anchor_distance) words += ", " + general(*line.anchor_distance, "m") + " " + shown_name("m");
+  return words;
+}
+
+Blocks fairleads(const MooringsDescription& moorings) {
+  Table table{"Fairleads and anchors as given",
+              {TableColumn("Line"),
+               TableColumn::texts("Fairlead x, y, z", shown_name("m")),
+               TableColumn("Anchor"),
+               TableColumn::texts("Wished tension", shown_name("N")),
+               {"Length", "m", 2},
+               TableColumn("Winch"),
+               TableColumn::texts("Holding power", shown_name("N"))},
+              "dense summary"};
   for (const MooringLineDescription& line : moorings.lines) {
-    std::string anchor = line.anchor ? fmt::format("x {}, y {} {}", general((*line.anchor)[0], "m"),
-                                                   general((*line.anchor)[1], "m"), shown_name("m"))
-                                     : std::string();
-    if (line.bearing) anchor = "bearing " + shown_number(*line.bearing, "rad", 1) + " deg";
-    if (line.azimuth) anchor = "azimuth " + shown_number(*line.azimuth, "rad", 1) + " deg";
-    if (line.anchor_distance) anchor += ", " + general(*line.anchor_distance, "m") + " " + shown_name("m");
     double given = 0.0;
     for (const LineSegmentDescription& segment : line.segments) given += segment.length.value_or(0.0);
-    table.row({line.name, triple(line.fairlead), anchor, force(line.tension),
-               given > 0.0 ? shown_number(given, "m", 2) : "-", line.winch, force(line.anchor_holding.holding)});
+    table.row({line.name, triple(line.fairlead), anchor_words(line), force(line.tension),
+               given > 0.0 ? TableCell(given) : TableCell("-"), line.winch, force(line.anchor_holding.holding)});
   }
-  return table.str() +
-         "<p class=\"small\">Fairleads in the vessel's frame. Bearings from the bow and azimuths from "
-         "north, both clockwise. A length of - follows from the tension.</p>\n";
+  return table + block::remark(
+                     "Fairleads in the vessel's frame. Bearings from the bow and azimuths from north, both clockwise. "
+                     "A length of - follows from the tension.");
 }
 
 }  // namespace
 
-std::string hull_inputs(const Description& model) {
+Table hull_inputs(const Description& model) {
   const VesselDescription& vessel = model.vessel;
   if (vessel.hydrostatics) {
     Listing list("Floating hull");
     list.add("Restoring in heave", vessel.hydrostatics->heave, "N/m")
         .add("Restoring in roll, pitch", {vessel.hydrostatics->roll, vessel.hydrostatics->pitch}, "N m/rad");
-    if (!vessel.coupled) return list.str();
+    if (!vessel.coupled) return list.table();
   }
-  if (!vessel.coupled) return "";
+  if (!vessel.coupled) return {};
   const CoupledHullDescription& hull = *vessel.coupled;
   Listing list("Floating hull");
   list.add("Hydrodynamic coefficients", std::filesystem::path(hull.hydrodynamics).filename().string())
@@ -163,18 +163,17 @@ std::string hull_inputs(const Description& model) {
   if (!hull.wind.areas.empty()) {
     list.add("Wind from " + general(hull.wind.from, "rad") + " deg", hull.wind.speed, "m/s");
   }
-  return list.str();
+  return list.table();
 }
 
-std::string mooring_inputs(const Description& model) {
-  if (!model.moorings || model.moorings->lines.empty()) return "";
+Blocks mooring_inputs(const Description& model) {
+  if (!model.moorings || model.moorings->lines.empty()) return {};
   Types types;
   for (const MooringLineDescription& line : model.moorings->lines) add_types(line.segments, types);
-  return type_table(types) + fairlead_table(*model.moorings) + winch_table(model.moorings->winches);
+  return type_table(types) + fairleads(*model.moorings) + winch_table(model.moorings->winches);
 }
 
-std::string line_inputs(const Description& model) {
-  if (model.lines.empty()) return "";
+Table line_inputs(const Description& model) {
   Types types;
   for (const FreeLineDescription& line : model.lines) add_types(line.segments, types);
   return type_table(types);

@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "report/page/html.h"
 #include "report/page/quantity.h"
 
 namespace overbend {
 namespace {
 
-std::string place(const PassagePeak& peak) {
-  return peak.stage.empty() ? "-" : shown_number(peak.passed, "m", 2);
+TableCell place(const PassagePeak& peak) {
+  return peak.stage.empty() ? TableCell("-") : TableCell(peak.passed);
 }
 
 std::string at(const PassagePeak& peak) {
@@ -33,26 +32,25 @@ std::vector<std::string> findings(const PassageResults& passage) {
 
 }  // namespace
 
-std::string passage_section(const PassageResults& passage) {
-  html::Table table("",
-                    {{"Box", "", true},
-                     {"reaction", shown_name("N")},
-                     {"structure at", shown_name("m")},
-                     {"reaction", shown_name("N")},
-                     {"structure at", shown_name("m")},
-                     {"strain", "%"},
-                     {"structure at", shown_name("m")}},
-                    "dense summary");
+Blocks passage_section(const PassageResults& passage) {
+  Table table{"",
+              {TableColumn("Box"),
+               {"reaction", "N", 1},
+               {"structure at", "m", 2},
+               {"reaction", "N", 1},
+               {"structure at", "m", 2},
+               {"strain", shown_unit("strain", "1"), 4},
+               {"structure at", "m", 2}},
+              "dense summary"};
   table.groups({{"", 1}, {"Single roller", 2}, {"Whole box", 2}, {"Line over the box", 2}});
   for (const PassageBox& box : passage.boxes) {
-    table.row({box.name, forces().text(box.roller.value, 1), place(box.roller), forces().text(box.reaction.value, 1),
-               place(box.reaction), strains().text(box.strain.value, 4), place(box.strain)});
+    table.row({box.name, box.roller.value, place(box.roller), box.reaction.value, place(box.reaction), box.strain.value,
+               place(box.strain)});
   }
-  return html::section(
-      "passage", fmt::format("Passage of {}", passage.structure),
-      html::list(findings(passage)) + (passage.boxes.empty() ? "" : table.str()) +
-          "<p class=\"small\">Largest over all stages; distances are along the line from the tensioner "
-          "to the middle of the structure.</p>\n");
+  return block::section("passage", fmt::format("Passage of {}", passage.structure),
+                        block::list(findings(passage)) + table +
+                            block::remark("Largest over all stages; distances are along the line from the tensioner to "
+                                          "the middle of the structure."));
 }
 
 }  // namespace overbend

@@ -1,13 +1,12 @@
 /// What is told of a structure that passes over the supports.
 #pragma once
 
-#include <string>
-
+#include "report/page/blocks.h"
 #include "results/passage_results.h"
 
 namespace overbend {
 
-/// HTML: the largest of every box over the passage, and of the pipe beside the structure.
-std::string passage_section(const PassageResults& passage);
+/// The largest of every box over the passage, and of the pipe beside the structure.
+Blocks passage_section(const PassageResults& passage);
 
 }  // namespace overbend

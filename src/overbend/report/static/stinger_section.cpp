@@ -1,10 +1,6 @@
 #include "report/static/stinger_section.h"
 
-#include <cmath>
-
 #include "base/constants.h"
-#include "report/page/html.h"
-#include "report/page/quantity.h"
 
 namespace overbend {
 namespace {
@@ -21,80 +17,67 @@ std::string held_by(const StingerSectionResult& section) {
 /// Between which angles hinge friction may leave it.
 std::string friction_words(const StingerSectionResult& section) {
   if (!section.floats || section.friction_moment == 0.0) return "-";
-  return angles().text(section.angle_up, 2) + " to " + angles().text(section.angle_down, 2);
+  return shown_number(section.angle_up, "rad", 2) + " to " + shown_number(section.angle_down, "rad", 2);
 }
 
-std::vector<std::string> cells_of(const StingerSectionResult& s) {
-  const double per_degree = s.stiffness * kDegree;
-  return {name_of(s),
-          angles().text(s.angle, 2),
-          friction_words(s),
-          moments().text(s.roller_moment, 0),
-          forces().text(s.hinge_longitudinal, 1),
-          forces().text(s.hinge_vertical, 1),
-          forces().text(s.hinge_force, 1),
-          held_by(s),
-          moments().text(s.stop_moment, 0),
-          s.floats ? moments().text(per_degree, 1) : "-",
-          s.natural_period > 0.0 ? html::fixed(s.natural_period, 1) : "-"};
-}
-
-std::string section_table(const StaticResults& results) {
-  html::Table table("",
-                    {{"Section", "", true},
-                     {"Angle", shown_name("rad")},
-                     {"with friction", shown_name("rad")},
-                     {"Moment of the pipe", shown_name("N m")},
-                     {"longitudinal", shown_name("N")},
-                     {"vertical", shown_name("N")},
-                     {"magnitude", shown_name("N")},
-                     {"by", "", true},
-                     {"moment", shown_name("N m")},
-                     {"Stiffness", shown_name("N m") + "/deg"},
-                     {"Period", "s"}},
-                    "dense summary");
+Table section_table(const StaticResults& results) {
+  Table table{"",
+              {TableColumn("Section"),
+               {"Angle", "rad", 2},
+               TableColumn::texts("with friction", shown_name("rad")),
+               {"Moment of the pipe", "N m", 0},
+               {"longitudinal", "N", 1},
+               {"vertical", "N", 1},
+               {"magnitude", "N", 1},
+               TableColumn("by"),
+               {"moment", "N m", 0},
+               {"Stiffness", "N m", 1},
+               {"Period", "s", 1}},
+              "dense summary"};
+  table.columns[9].unit += "/deg";
   table.groups({{"", 1}, {"Angle", 2}, {"", 1}, {"Hinge force", 3}, {"Held", 2}, {"Small turns", 2}});
-  for (const StingerSectionResult& section : results.stinger) table.row(cells_of(section));
-  return table.str();
+  for (const StingerSectionResult& s : results.stinger) {
+    table.row({name_of(s), s.angle, friction_words(s), s.roller_moment, s.hinge_longitudinal, s.hinge_vertical,
+               s.hinge_force, held_by(s), s.stop_moment, s.floats ? TableCell(s.stiffness * kDegree) : TableCell("-"),
+               s.natural_period > 0.0 ? TableCell(s.natural_period) : TableCell("-")});
+  }
+  return table;
 }
 
-std::string tank_table(const StaticResults& results) {
-  html::Table table("",
-                    {{"Tank", "", true},
-                     {"Section", "", true},
-                     {"Weight", shown_name("N")},
-                     {"Buoyancy", shown_name("N")},
-                     {"Submerged", "%"},
-                     {"astern", shown_name("m")},
-                     {"z", shown_name("m")},
-                     {"Draught", shown_name("m")}},
-                    "dense summary");
+Table tank_table(const StaticResults& results) {
+  Table table{"",
+              {TableColumn("Tank"),
+               TableColumn("Section"),
+               {"Weight", "N", 1},
+               {"Buoyancy", "N", 1},
+               {"Submerged", "%", 1},
+               {"astern", "m", 2},
+               {"z", "m", 2},
+               {"Draught", "m", 2}},
+              "dense summary"};
   table.groups({{"", 5}, {"Centre of buoyancy", 2}, {"", 1}});
-  bool any = false;
   for (const StingerSectionResult& section : results.stinger) {
     for (const StingerTankResult& tank : section.tanks) {
-      any = true;
-      table.row({tank.name, name_of(section), forces().text(tank.weight, 1), forces().text(tank.buoyancy, 1),
-                 html::fixed(100.0 * tank.submerged, 1), shown_number(tank.at_x, "m", 2),
-                 shown_number(tank.at_z, "m", 2), shown_number(tank.draught, "m", 2)});
+      table.row({tank.name, name_of(section), tank.weight, tank.buoyancy, 100.0 * tank.submerged, tank.at_x, tank.at_z,
+                 tank.draught});
     }
   }
-  return any ? table.str() : "";
+  return table;
 }
 
 }  // namespace
 
-std::string stinger_section(const StaticResults& results) {
-  if (results.stinger.empty()) return "";
-  return html::section(
+Blocks stinger_section(const StaticResults& results) {
+  if (results.stinger.empty()) return {};
+  return block::section(
       "stinger", "Stinger on its hinge",
       section_table(results) + tank_table(results) +
-          "<p class=\"small\">Angles are positive when the tip goes down from where it is drawn. The hinge force acts "
-          "on "
-          "the section, longitudinal astern and vertical upwards; moments on it are positive when they turn the tip "
-          "down. Stiffness is the fall of the moment about the hinge with the angle, pipe included, the other sections "
-          "held; the period follows with the inertia of body, tanks, ballast and the water that goes along. Places of "
-          "tanks count from the stern shoe.</p>\n");
+          block::remark(
+              "Angles are positive when the tip goes down from where it is drawn. The hinge force acts on the section, "
+              "longitudinal astern and vertical upwards; moments on it are positive when they turn the tip down. "
+              "Stiffness is the fall of the moment about the hinge with the angle, pipe included, the other sections "
+              "held; the period follows with the inertia of body, tanks, ballast and the water that goes along. Places "
+              "of tanks count from the stern shoe."));
 }
 
 }  // namespace overbend

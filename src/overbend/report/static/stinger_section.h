@@ -1,13 +1,12 @@
 /// A stinger on hinges in the report.
 #pragma once
 
-#include <string>
-
+#include "report/page/blocks.h"
 #include "results/static_results.h"
 
 namespace overbend {
 
 /// Angle, hinge force and tanks of each section at rest; empty of a fixed stinger.
-std::string stinger_section(const StaticResults& results);
+Blocks stinger_section(const StaticResults& results);
 
 }  // namespace overbend

@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "report/page/figure_list.h"
-#include "report/page/front_page.h"
-#include "report/page/html.h"
-#include "report/page/page.h"
+#include "report/page/front_of.h"
 #include "report/page/quantity.h"
 #include "report/page/sections.h"
 #include "report/studies/comparison_sections.h"
@@ -25,21 +23,22 @@ std::string short_number(double value) {
   return size > 0.0 && size < 1e-3 ? fmt::format("{:.1e}", value) : fmt::format("{:.4g}", value);
 }
 
-std::string quantities_section(const Comparison& comparison) {
-  std::vector<html::Head> head = {{"Quantity", "", true}, {"Unit", "", true}};
-  for (const ComparedRun& run : comparison.runs) head.push_back({run.name, ""});
-  html::Table table("", head, "plain");
+Blocks quantities_section(const Comparison& comparison) {
+  Table table{"", {TableColumn("Quantity"), TableColumn("Unit")}};
+  std::vector<TableCell> counts = {"Findings", "-"};
+  for (const ComparedRun& run : comparison.runs) {
+    table.column(TableColumn::texts(run.name));
+    counts.emplace_back(std::to_string(run.results.findings.size()));
+  }
   for (std::size_t i = 0; i < comparison.quantities.size(); ++i) {
     const ShownUnit unit = table_unit(comparison.quantities[i]);
-    std::vector<std::string> cells = {comparison.quantities[i].description, std::string(unit.name)};
-    for (const ComparedRun& run : comparison.runs) cells.push_back(short_number(run.values.at(i) * unit.factor));
+    std::vector<TableCell> cells = {comparison.quantities[i].description, unit.name};
+    for (const ComparedRun& run : comparison.runs) cells.emplace_back(short_number(run.values.at(i) * unit.factor));
     table.row(cells);
   }
-  std::vector<std::string> counts = {"Findings", "-"};
-  for (const ComparedRun& run : comparison.runs) counts.push_back(std::to_string(run.results.findings.size()));
   table.row(counts);
-  return html::section("quantities", "Results of the variants",
-                       table.str() + "<p class=\"small\">From the end of the build-up to the end of the run.</p>\n");
+  return block::section("quantities", "Results of the variants",
+                        table + block::remark("From the end of the build-up to the end of the run."));
 }
 
 const char* title_of(ComparisonOf of) {
@@ -73,19 +72,13 @@ const std::vector<Figure>& figures_of(ComparisonOf of) {
   return of == ComparisonOf::tensioner ? kTensioner : kContact;
 }
 
-std::string figures(const Comparison& comparison) {
-  int number = 0;
-  const auto always = [](const Figure&, const std::string&) { return true; };
-  return figure_section("figures", "Figures", figure_list(figures_of(comparison.of), always, number));
-}
-
-std::string links_section(const Comparison& comparison) {
-  std::string items;
+/// Each variant has a folder of its own.
+Blocks links_section(const Comparison& comparison) {
+  Blocks links;
   for (const ComparedRun& run : comparison.runs) {
-    items += fmt::format("<li><a href=\"{0}/report.html\">{0}</a>: {1}</li>\n", html::escape(run.name),
-                         html::escape(run.words));
+    links += block::paragraph(run.words + ": ", run.name, run.name + "/report.html");
   }
-  return html::section("reports", "Reports of the variants", "<ul>\n" + items + "</ul>\n");
+  return block::section("reports", "Reports of the variants", links);
 }
 
 /// Of the variants by name, then of the static state that all begin from.
@@ -102,23 +95,26 @@ Findings variant_findings(const StaticResults& statics, const Comparison& compar
 
 }  // namespace
 
-std::string comparison_html(const StaticResults& statics, const Comparison& comparison, const std::string& model_text) {
-  const Findings findings = variant_findings(statics, comparison);
-  std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
-  entries.emplace_back("Simulated", duration_words(comparison.duration) + " each");
-  entries.emplace_back("Status", status_words("completed", findings.size()));
-  entries.emplace_back("Program", "Overbend " + statics.version);
-  entries.emplace_back("Written", written_now());
-  const std::string body = title_block(std::string("Comparison: ") + title_of(comparison.of), statics.title, entries) +
-                           comparison_section(comparison) + findings_section(findings) + figures(comparison) +
-                           quantities_section(comparison) + boxes_section(comparison) + links_section(comparison) +
-                           model_text_section(model_text);
-  return whole_page(statics.title + " - comparison", body, report_data(statics, comparison));
+Document comparison_document(const StaticResults& statics, const Comparison& comparison,
+                             const std::string& model_text) {
+  FrontPage front = front_of(std::string("Comparison: ") + title_of(comparison.of), statics.title, std::nullopt,
+                             variant_findings(statics, comparison));
+  front.entries = subject_entries(statics);
+  front.entries.emplace_back("Simulated", duration_words(comparison.duration) + " each");
+  front.entries.emplace_back("Status", status_words("completed", front.findings.size()));
+  front.entries.emplace_back("Program", "Overbend " + statics.version);
+  front.entries.emplace_back("Written", written_now());
+  return {statics.title + " - comparison", front_page(front),
+          comparison_section(comparison) +
+              block::section("figures", "Figures", figure_list(figures_of(comparison.of))) +
+              quantities_section(comparison) + boxes_section(comparison) + links_section(comparison) +
+              model_text_section(model_text),
+          report_data(statics, comparison)};
 }
 
 void write_comparison_page(const StaticResults& statics, const Comparison& comparison, const std::string& model_text,
                            const std::filesystem::path& file) {
-  write_page(comparison_html(statics, comparison, model_text), file);
+  write_page(comparison_document(statics, comparison, model_text), file);
 }
 
 }  // namespace overbend

@@ -1,17 +1,14 @@
 #include "report/studies/comparison_sections.h"
-#include "report/page/quantity.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "report/page/html.h"
+#include "report/page/quantity.h"
 
 namespace overbend {
 namespace {
-
-using html::fixed;
 
 // The tensioner -----------------------------------------------------------------------------------------------------
 
@@ -174,48 +171,40 @@ std::vector<std::string> summary_sentences(const Comparison& comparison) {
   broken_promise("every comparison has findings");
 }
 
-std::vector<std::string> box_cells(const ComparedBox& box) {
-  return {fixed(100.0 * box.contact_share, 1), forces().text(box.static_reaction, 1),
-          forces().text(box.mean_reaction, 1), forces().text(box.peak_reaction, 1),
-          forces().text(box.peak_force, 1),    dents().text(box.dent_depth, 2),
-          line_loads().text(box.line_load, 1)};
-}
-
 }  // namespace
 
-std::string comparison_section(const Comparison& comparison) {
-  return html::section("summary", "Summary", html::list(summary_sentences(comparison)));
+Blocks comparison_section(const Comparison& comparison) {
+  return block::section("summary", "Summary", block::list(summary_sentences(comparison)));
 }
 
-std::string boxes_section(const Comparison& comparison) {
-  if (comparison.boxes.empty()) return "";
-  std::vector<html::Head> head = {{"Box", "", true}};
+Blocks boxes_section(const Comparison& comparison) {
+  Table table{"", {TableColumn("Box")}, "dense boxes"};
   std::vector<std::pair<std::string, int>> groups = {{"", 1}};
   for (const ComparedRun& run : comparison.runs) {
-    head.insert(head.end(), {{"Contact", "% of time"},
-                             {"static", shown_name("N")},
-                             {"mean", shown_name("N")},
-                             {"peak", shown_name("N")},
-                             {"one roller", shown_name("N")},
-                             {"dent", clearances().unit},
-                             {"line load", shown_name("N/m")}});
+    table.column({"Contact", ShownUnit{"1", "% of time", 100.0}, 1})
+        .column({"static", "N", 1})
+        .column({"mean", "N", 1})
+        .column({"peak", "N", 1})
+        .column({"one roller", "N", 1})
+        .column({"dent", section_length(), 2})
+        .column({"line load", "N/m", 1});
     groups.emplace_back(run.words, 7);
   }
-  html::Table table("", head, "dense boxes");
   table.groups(groups);
   for (const ComparedBoxes& box : comparison.boxes) {
-    std::vector<std::string> cells = {box.name};
+    std::vector<TableCell> cells = {box.name};
     for (const ComparedBox& run : box.runs) {
-      const std::vector<std::string> more = box_cells(run);
-      cells.insert(cells.end(), more.begin(), more.end());
+      cells.insert(cells.end(), {run.contact_share, run.static_reaction, run.mean_reaction, run.peak_reaction,
+                                 run.peak_force, run.dent_depth, run.line_load});
     }
     table.row(cells);
   }
-  return html::section(
+  if (table.empty()) return {};
+  return block::section(
       "boxes", "Support boxes",
-      table.str() +
-          "<p class=\"small\">Static, mean, peak: resultant of the box. One roller: its largest normal "
-          "force; dent of bare steel and line load on the coating under that force.</p>\n");
+      table + block::remark("Static, mean, peak: resultant of the box. One roller: its largest normal "
+                            "force; dent of bare steel and line load on the coating under that "
+                            "force."));
 }
 
 }  // namespace overbend

@@ -1,16 +1,15 @@
-/// Text and tables of a comparison. Each returns HTML; empty where there is nothing to say.
+/// Text and tables of a comparison; empty where there is nothing to say.
 #pragma once
 
-#include <string>
-
+#include "report/page/blocks.h"
 #include "results/comparison_results.h"
 
 namespace overbend {
 
 /// Interpretation of the differences, in sentences.
-std::string comparison_section(const Comparison& comparison);
+Blocks comparison_section(const Comparison& comparison);
 
 /// A row per support box.
-std::string boxes_section(const Comparison& comparison);
+Blocks boxes_section(const Comparison& comparison);
 
 }  // namespace overbend

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "report/dynamic/dynamic_data.h"
-#include "report/page/places.h"
 #include "report/page/report_style.h"
 #include "report/page/thinning.h"
 #include "report/static/checks_section.h"
@@ -15,6 +14,7 @@
 #include "report/studies/comparison_data.h"
 #include "report/studies/seek_section.h"
 #include "results/fields/ground_fields.h"
+#include "results/fields/places.h"
 #include "results/fields/static_tables.h"
 #include "results/fields/static_values.h"
 

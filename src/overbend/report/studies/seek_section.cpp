@@ -3,26 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "base/units.h"
-#include "report/page/figure_list.h"
-#include "report/page/html.h"
 #include "report/studies/seek_words.h"
 
 namespace overbend {
 namespace {
 
-constexpr std::array<const char*, 6> kParts = {"0", "1", "2", "3", "4", "5"};  // goals with a panel
-
-std::string unknown_table(const SeekResults& seek) {
-  html::Table table("Keys of the model", {{"Key", "", true}, {"Model", ""}, {"Answer", ""}, {"Bounds", ""}}, "summary");
+Table unknown_table(const SeekResults& seek) {
+  Table table{
+      "Keys of the model",
+      {TableColumn("Key"), TableColumn::texts("Model"), TableColumn::texts("Answer"), TableColumn::texts("Bounds")},
+      "summary"};
   for (const SeekUnknown& u : seek.unknowns) {
     table.row({u.name, quantity_words(u.before, u), quantity_words(u.answer, u),
                quantity_words(u.from, u) + " to " + quantity_words(u.to, u)},
-              u.at_bound ? "over" : "");
+              u.at_bound ? RowMark::over : RowMark::none);
   }
-  return table.str();
+  return table;
 }
 
 /// A change of the result for a change of the key, in the units that both are shown in.
@@ -34,47 +32,58 @@ std::string slope_words(const SeekResults& seek, const SeekGoal& goal) {
   return result_words(goal.slope.front() * per, goal, 4) + (unit.empty() ? "" : " per " + unit);
 }
 
-std::string goal_table(const SeekResults& seek) {
-  html::Table table("Results asked for",
-                    {{"Result", "", true}, {"Wanted", ""}, {"Model", ""}, {"With the answer", ""}, {"Slope", ""}},
-                    "summary");
+Table goal_table(const SeekResults& seek) {
+  Table table{"Results asked for",
+              {TableColumn("Result"), TableColumn::texts("Wanted"), TableColumn::texts("Model"),
+               TableColumn::texts("With the answer"), TableColumn::texts("Slope")},
+              "summary"};
   for (const SeekGoal& goal : seek.goals) {
     table.row({goal.result, wanted_words(goal), goal.before ? result_words(*goal.before, goal) : "-",
                goal.reached ? result_words(*goal.reached, goal) : "-", slope_words(seek, goal)});
   }
-  return table.str();
+  return table;
 }
 
-std::string jump_table(const SeekResults& seek) {
-  if (seek.jumps.empty()) return "";
-  html::Table table("Jumps over the value wanted",
-                    {{seek.unknowns.front().name, ""}, {"Below", ""}, {"Above", ""}, {"What changes", "", true}},
-                    "plain");
+Table jump_table(const SeekResults& seek) {
+  Table table{"Jumps over the value wanted",
+              {TableColumn::texts(seek.unknowns.front().name), TableColumn::texts("Below"), TableColumn::texts("Above"),
+               TableColumn("What changes")}};
   for (const SeekJump& jump : seek.jumps) {
     table.row({quantity_words(jump.at, seek.unknowns.front()), result_words(jump.below, seek.goals.front()),
                result_words(jump.above, seek.goals.front()), jump.why});
   }
-  return table.str();
+  return table;
 }
 
-std::string remarks(const SeekResults& seek) {
+Blocks remarks(const SeekResults& seek) {
   std::vector<std::string> sentences = seek.remarks;
   for (const double other : seek.others) {
     sentences.push_back("Another answer: " + quantity_words(other, seek.unknowns.front()));
   }
-  std::string out = sentences.empty() ? "" : html::list(sentences);
-  out += fmt::format(
-      "<p class=\"small\">{} models were solved in {:.2f} s; the largest distance from a condition is "
-      "{:.1e} of the value wanted. The report below is that of the model with the answer put in.</p>\n",
-      seek.evaluations, seek.wall_time, seek.residual);
-  return out;
+  return block::list(sentences) +
+         block::remark(fmt::format(
+             "{} models were solved in {:.2f} s; the largest distance from a condition is {:.1e} of the value wanted. "
+             "The report below is that of the model with the answer put in.",
+             seek.evaluations, seek.wall_time, seek.residual));
 }
 
 /// The stages that the answer changes, to be copied into a model.
-std::string stage_texts(const SeekResults& seek) {
-  std::string text;
-  for (const std::string& stage : seek.stages) text += "<pre>" + html::escape(stage) + "</pre>\n";
-  return text;
+Blocks stage_texts(const SeekResults& seek) {
+  Blocks texts;
+  for (const std::string& stage : seek.stages) texts += block::verbatim(stage);
+  return texts;
+}
+
+/// A panel for each of the first goals.
+Blocks path_figure(const SeekResults& seek) {
+  constexpr std::size_t kMostPanels = 6;
+  Figure figure{"seek_path",
+                seek.unknowns.size() == 1
+                    ? "Models solved in the search: the result over the key. The horizontal line is the value wanted."
+                    : "The results asked for at each step of the search. The horizontal line is the value wanted.",
+                {}};
+  for (std::size_t i = 0; i < std::min(seek.goals.size(), kMostPanels); ++i) figure.parts.push_back(std::to_string(i));
+  return block::figure(figure);
 }
 
 Json shown_in(const std::string& name, const std::string& unit, const std::string& show) {
@@ -91,18 +100,10 @@ Json goal_data(const SeekGoal& goal) {
 
 }  // namespace
 
-std::string seek_section(const SeekResults& seek, int& figure) {
-  const std::vector<Figure> figures = {
-      {"seek_path",
-       seek.unknowns.size() == 1
-           ? "Models solved in the search: the result over the key. The horizontal line is the value wanted."
-           : "The results asked for at each step of the search. The horizontal line is the value wanted.",
-       {kParts.begin(), kParts.begin() + static_cast<std::ptrdiff_t>(std::min(seek.goals.size(), kParts.size()))}}};
-  const std::string drawn = figure_list(
-      figures, [](const Figure&, const std::string&) { return true; }, figure);
-  return html::section(
-      "seek", "Goal seek",
-      unknown_table(seek) + goal_table(seek) + stage_texts(seek) + jump_table(seek) + remarks(seek) + drawn);
+Blocks seek_section(const SeekResults& seek) {
+  return block::section("seek", "Goal seek",
+                        unknown_table(seek) + goal_table(seek) + stage_texts(seek) + jump_table(seek) + remarks(seek) +
+                            path_figure(seek));
 }
 
 Json seek_figure_data(const SeekResults& seek) {

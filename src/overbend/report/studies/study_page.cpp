@@ -1,11 +1,7 @@
 #include "report/studies/study_page.h"
 
-#include <fmt/format.h>
-
 #include "report/page/figure_list.h"
-#include "report/page/front_page.h"
-#include "report/page/html.h"
-#include "report/page/page.h"
+#include "report/page/front_of.h"
 #include "report/page/quantity.h"
 #include "report/page/sections.h"
 #include "report/studies/study_data.h"
@@ -54,57 +50,54 @@ bool has_headings(const OperabilityResults& operability) {
   return false;
 }
 
-std::string operability_figures(const StudyResults& results, int& number) {
-  static const std::vector<Figure> kFigures = {
+Blocks operability_figures(const OperabilityResults& operability) {
+  const std::vector<Figure> figures = {
       {"operability_chart", "Limit with the criterion met for every seed", {"chart"}},
       {"operability_rose", "The same by direction; circles are levels of the limit", {"rose"}},
       {"workability", "Fraction of the time below the limit, by month", {"months"}}};
-  if (!results.operability) return "";
-  const OperabilityResults& operability = *results.operability;
-  return figure_list(
-      kFigures,
-      [&](const Figure&, const std::string& part) {
-        if (part == "rose") return has_headings(operability);
-        if (part == "months") return operability.workability && operability.workability->months.size() == 12;
-        return !operability.axes.empty();
-      },
-      number);
+  return figure_list(figures, [&](const Figure&, const std::string& part) {
+    if (part == "rose") return has_headings(operability);
+    if (part == "months") return operability.workability && operability.workability->months.size() == 12;
+    return !operability.axes.empty();
+  });
 }
 
-std::string figures(const StudyResults& results) {
-  int number = 0;
-  const auto always = [](const Figure&, const std::string&) { return true; };
-  std::string all = operability_figures(results, number);
-  if (!results.cases.empty()) all += figure_list(figures_of(study_shape(results)), always, number);
-  return figure_section("figures", "Charts", all);
+Blocks figures(const StudyResults& results) {
+  Blocks all;
+  if (results.operability) all += operability_figures(*results.operability);
+  if (!results.cases.empty()) all += figure_list(figures_of(study_shape(results)));
+  return block::section("figures", "Charts", all);
 }
 
-std::string kind_of(const StudyResults& results) {
-  return results.analysis.empty() ? "Study" : "Study, " + results.analysis + " analyses";
-}
-
-}  // namespace
-
-std::string study_html(const StudyResults& stored) {
-  const StudyResults results = in_shown_units(stored);
-  std::vector<std::pair<std::string, std::string>> entries;
+Json study_front(const StudyResults& results) {
+  const std::string kind = results.analysis.empty() ? "Study" : "Study, " + results.analysis + " analyses";
+  FrontPage page = front_of(kind, results.title, std::nullopt, results.findings);
+  auto& entries = page.entries;
   if (!results.cases.empty()) entries.emplace_back("Cases", std::to_string(results.cases.size()));
   if (results.operability) entries.emplace_back("Analyses of the chart", std::to_string(results.operability->runs));
   if (results.wall_time > 0.0) entries.emplace_back("Computed in", duration_words(results.wall_time));
   if (results.threads > 0) entries.emplace_back("Threads", std::to_string(results.threads));
   entries.emplace_back("Program", "Overbend " + results.version);
   entries.emplace_back("Written", written_now());
-  const std::string body =
-      title_block(kind_of(results), results.title, entries) + (results.cases.empty() ? "" : study_verdict(results)) +
-      findings_section(results.findings) + study_inputs_section(results) + figures(results) +
-      operability_section(results) + study_extremes_section(results) + failed_cases_section(results) +
-      (results.cases.empty() ? "" : study_cases_section(results)) + assumptions_section(results.assumptions);
-  const Json data = {{"study", study_data(results)}};
-  return study_frame(results.title + " - study", body, json_text(data));
+  Json front = front_page(page);
+  if (!results.cases.empty()) front["verdict"] = verdict_json(study_verdict(results));
+  return front;
+}
+
+}  // namespace
+
+Document study_document(const StudyResults& stored) {
+  const StudyResults results = in_shown_units(stored);
+  return {results.title + " - study",
+          study_front(results),
+          study_inputs_section(results) + figures(results) + operability_section(results) +
+              study_extremes_section(results) + failed_cases_section(results) + study_cases_section(results) +
+              assumptions_section(results.assumptions),
+          {{"study", study_data(results)}}};
 }
 
 void write_study_report(const StudyResults& results, const std::filesystem::path& file) {
-  write_page(study_html(results), file);
+  write_page(study_document(results), file);
 }
 
 }  // namespace overbend

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
+#include "report/page/page.h"
 #include "results/study_results.h"
 
 namespace overbend {
 
 /// The whole page.
-std::string study_html(const StudyResults& results);
+Document study_document(const StudyResults& results);
 
 /// Writes it, beside its place first and then renamed. Throws std::runtime_error where that fails.
 void write_study_report(const StudyResults& results, const std::filesystem::path& file);

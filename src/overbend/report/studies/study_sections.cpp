@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/page/html.h"
 #include "report/studies/study_data.h"
-
 #include "results/result_words.h"
+
 namespace overbend {
 namespace {
 
@@ -63,8 +62,8 @@ std::string result_words(const StudyCase& one) {
   }
 }
 
-html::Head head(const std::string& name, const StudyShown& unit, bool text = false) {
-  return {heading_of(name, {}), unit.name, text};
+TableColumn column(const std::string& name, const StudyShown& unit, bool words) {
+  return words ? TableColumn(heading_of(name, {})) : TableColumn::texts(heading_of(name, {}), unit.name);
 }
 
 /// A value and its unit stay on one line.
@@ -105,27 +104,45 @@ std::string limit_words(const OperabilityResults& all, const OperabilityCell& ce
   return four_digits(*cell.limit * unit.factor);
 }
 
-std::string workability_table(const Workability& workability) {
+Blocks workability_part(const Workability& workability) {
   static const char* const kMonths[] = {"January", "February", "March",     "April",   "May",      "June",
                                         "July",    "August",   "September", "October", "November", "December"};
-  html::Table table("Workability", {{"Month", "", true}, {"Workable", "% of the time"}}, "plain");
+  Table table{"Workability", {TableColumn("Month"), {"Workable", ShownUnit{"1", "% of the time", 100.0}, 1}}};
   if (workability.months.size() == 12) {
-    for (std::size_t i = 0; i < 12; ++i) table.row({kMonths[i], html::fixed(100.0 * workability.months[i], 1)});
+    for (std::size_t i = 0; i < 12; ++i) table.row({kMonths[i], workability.months[i]});
   }
-  table.row({"Year", html::fixed(100.0 * workability.year, 1)}, "total");
-  return table.str() + fmt::format(
-                           "<p class=\"small\">Seas outside of the chart, {} % of the time, count as not "
-                           "workable.</p>\n",
-                           html::fixed(100.0 * workability.outside, 1));
+  table.row({"Year", workability.year}, RowMark::total);
+  return table + block::remark(fmt::format("Seas outside of the chart, {} % of the time, count as not workable.",
+                                           fixed(100.0 * workability.outside, 1)));
+}
+
+/// Remarks on limits, cell by cell.
+Blocks limit_remarks(const OperabilityResults& all) {
+  std::vector<std::string> remarks;
+  for (const OperabilityCell& cell : all.cells) {
+    if (!cell.decided || cell.reason.empty()) continue;
+    std::string place;
+    for (std::size_t k = 0; k < all.axes.size(); ++k) {
+      place += (k == 0 ? "" : ", ") + heading_of(all.axes[k].key, {}) + " " + all.axes[k].words.at(cell.at.at(k));
+    }
+    remarks.push_back(place + ": " + cell.reason);
+  }
+  if (remarks.empty()) return {};
+  const std::size_t others = remarks.size() - std::min(remarks.size(), kMostRows);
+  remarks.resize(remarks.size() - others);
+  Blocks blocks = block::subheading("Remarks on limits marked *") + block::list(remarks);
+  if (others > 0) blocks += block::remark(fmt::format("And {} more; operability.csv has all.", others));
+  return blocks;
 }
 
 }  // namespace
 
-std::string study_verdict(const StudyResults& results) {
+Verdict study_verdict(const StudyResults& results) {
   const Counts n = counts_of(results);
   const std::size_t all = results.cases.size();
-  const char* kind = n.exceeded > 0 ? "exceeded" : n.passed < all ? "reserved" : "passed";
-  std::string because;
+  Verdict verdict;
+  verdict.kind = n.exceeded > 0 ? VerdictKind::exceeded : n.passed < all ? VerdictKind::reserved : VerdictKind::passed;
+  std::string& because = verdict.because;
   if (n.exceeded > 0) because += counted(n.exceeded, "exceeds", "exceed") + " a governing check. ";
   if (n.reserved > 0) {
     because += counted(n.reserved, "passes", "pass") + " with reservations: see the serious findings below. ";
@@ -135,15 +152,13 @@ std::string study_verdict(const StudyResults& results) {
   const bool unchecked = n.unjudged > 0 && n.unjudged + n.failed + n.open == all;
   if (n.unjudged > 0) because += (because.empty() ? "" : " ") + counted(n.unjudged, "is", "are") + " not judged.";
   if (because.empty()) because = "Every case has a result with every governing check passed.";
-  return fmt::format(
-      "<div class=\"verdict {}\">\n<div class=\"words\">{} of {} cases {}</div>\n<div "
-      "class=\"because\">{}</div>\n</div>\n",
-      kind, unchecked ? n.unjudged : n.passed, all, unchecked ? "solved" : "pass", because);
+  verdict.words =
+      fmt::format("{} of {} cases {}", unchecked ? n.unjudged : n.passed, all, unchecked ? "solved" : "pass");
+  return verdict;
 }
 
-std::string study_inputs_section(const StudyResults& results) {
-  if (results.inputs.empty()) return "";
-  html::Table table("", {{"Key", "", true}, {"Values", "", true}, {"Number", ""}, {"Changes", "", true}}, "plain");
+Blocks study_inputs_section(const StudyResults& results) {
+  Table table{"", {TableColumn("Key"), TableColumn("Values"), TableColumn::texts("Number"), TableColumn("Changes")}};
   const char* alone = study_shape(results) == StudyShape::one_at_a_time ? "alone" : "crossed";
   for (const StudyInput& input : results.inputs) {
     std::string values = "drawn at random";
@@ -158,28 +173,22 @@ std::string study_inputs_section(const StudyResults& results) {
     const std::string with = input.sampled ? "from case to case" : input.with.empty() ? alone : "with " + input.with;
     table.row({input.key, values, input.words.empty() ? "-" : std::to_string(input.words.size()), with});
   }
-  return html::section("inputs", "What changes", table.str());
+  return block::section("inputs", "What changes", table);
 }
 
-std::string study_extremes_section(const StudyResults& results) {
-  if (results.extremes.empty()) return "";
-  html::Table table("",
-                    {{"Case", "", true},
-                     {"Result", "", true},
-                     {"Runs", ""},
-                     {"Mean", ""},
-                     {"Std", ""},
-                     {"Extreme seen", ""},
-                     {"Gumbel, 3 h", ""},
-                     {"ACER, 3 h", ""},
-                     {"Unit", "", true}},
-                    "dense");
+Blocks study_extremes_section(const StudyResults& results) {
+  if (results.extremes.empty()) return {};
+  Table table{"", {TableColumn("Case"), TableColumn("Result"), {"Runs", "", 0}}, "dense"};
+  for (const char* title : {"Mean", "Std", "Extreme seen", "Gumbel, 3 h", "ACER, 3 h"}) {
+    table.column(TableColumn::texts(title));
+  }
+  table.column(TableColumn("Unit"));
   for (std::size_t i = 0; i < std::min(results.extremes.size(), kMostRows); ++i) {
     const StudyExtreme& e = results.extremes[i];
     const StudyOutput& output = results.outputs.at(e.output);
     const StudyShown unit = shown_unit_of(output);
     const StudyCase* first = first_of(results, e.group);
-    table.row({first == nullptr ? "-" : where(results, *first), heading_of(output.name, {}), std::to_string(e.runs),
+    table.row({first == nullptr ? "-" : where(results, *first), heading_of(output.name, {}), e.runs,
                four_digits(e.mean * unit.factor), four_digits(e.std * unit.factor), four_digits(e.worst * unit.factor),
                e.enough ? estimate_words(e.gumbel, unit.factor) : "-",
                e.acer ? estimate_words(*e.acer, unit.factor) : "-", unit.name.empty() ? "-" : unit.name});
@@ -191,110 +200,81 @@ std::string study_extremes_section(const StudyResults& results) {
   if (results.extremes.size() > kMostRows) {
     note += fmt::format(" The first {} of {} rows.", kMostRows, results.extremes.size());
   }
-  return html::section("extremes", "Extremes over the seeds", table.str() + "<p class=\"small\">" + note + "</p>\n");
+  return block::section("extremes", "Extremes over the seeds", table + block::remark(note));
 }
 
-/// What has to be known of limits, cell by cell.
-std::string limit_remarks(const OperabilityResults& all) {
-  std::string items;
-  std::size_t told = 0, others = 0;
-  for (const OperabilityCell& cell : all.cells) {
-    if (!cell.decided || cell.reason.empty()) continue;
-    if (told == kMostRows) {
-      ++others;
-      continue;
-    }
-    ++told;
-    std::string place;
-    for (std::size_t k = 0; k < all.axes.size(); ++k) {
-      place += (k == 0 ? "" : ", ") + heading_of(all.axes[k].key, {}) + " " + all.axes[k].words.at(cell.at.at(k));
-    }
-    items += "<li><b>" + html::escape(place) + "</b>: " + html::escape(cell.reason) + "</li>\n";
-  }
-  if (items.empty()) return "";
-  const std::string more =
-      others > 0 ? fmt::format("<p class=\"small\">And {} more; operability.csv has all.</p>\n", others) : "";
-  return "<h3>Remarks on limits marked *</h3>\n<ul class=\"small\">\n" + items + "</ul>\n" + more;
-}
-
-std::string operability_section(const StudyResults& results) {
-  if (!results.operability) return "";
+Blocks operability_section(const StudyResults& results) {
+  if (!results.operability) return {};
   const OperabilityResults& all = *results.operability;
   const StudyShown unit = shown_unit_of(all.unit, all.show);
-  std::vector<html::Head> heads;
-  for (const StudyInput& axis : all.axes) heads.push_back({heading_of(axis.key, {}), ""});
-  heads.push_back({"Limit of " + heading_of(all.over, {}), unit.name});
-  heads.push_back({"Governing above it", "", true});
-  heads.push_back({"Utilisation at it", ""});
-  heads.push_back({"above it", ""});
-  heads.push_back({"Analyses", ""});
-  html::Table table("", heads, "dense");
+  Table table{"", {}, "dense"};
+  for (const StudyInput& axis : all.axes) table.column(column(axis.key, {}, false));
+  table.column(TableColumn::texts("Limit of " + heading_of(all.over, {}), unit.name))
+      .column(TableColumn("Governing above it"))
+      .column({"Utilisation at it", "", 3})
+      .column({"above it", "", 3})
+      .column({"Analyses", "", 0});
   for (std::size_t i = 0; i < std::min(all.cells.size(), kMostRows); ++i) {
     const OperabilityCell& cell = all.cells[i];
-    std::vector<std::string> cells;
-    for (std::size_t k = 0; k < all.axes.size(); ++k) cells.push_back(all.axes[k].words.at(cell.at.at(k)));
-    cells.push_back(limit_words(all, cell, unit) + (cell.decided && !cell.reason.empty() ? " *" : ""));
-    cells.push_back(cell.decided ? cell.governing : cell.reason);
-    cells.push_back(cell.limit ? html::fixed(cell.below, 3) : "-");
-    cells.push_back(cell.beyond ? "-" : html::fixed(cell.above, 3));
-    cells.push_back(std::to_string(cell.runs));
-    table.row(cells, cell.limit ? "" : "over");
+    std::vector<TableCell> cells;
+    for (std::size_t k = 0; k < all.axes.size(); ++k) cells.emplace_back(all.axes[k].words.at(cell.at.at(k)));
+    cells.insert(cells.end(), {limit_words(all, cell, unit) + (cell.decided && !cell.reason.empty() ? " *" : ""),
+                               cell.decided ? cell.governing : cell.reason, cell.limit ? TableCell(cell.below) : "-",
+                               cell.beyond ? "-" : TableCell(cell.above), cell.runs});
+    table.row(cells, cell.limit ? RowMark::none : RowMark::over);
   }
   std::string note = fmt::format(
       "Largest value with the criterion met for every one of {} seeds, to {} {}. {} analyses.",
       std::max<std::size_t>(1, all.seeds.size()), four_digits(all.resolution * unit.factor), unit.name, all.runs);
   if (all.alpha) note += fmt::format(" Limits are to be multiplied by the alpha factor {}.", four_digits(*all.alpha));
-  return html::section("operability", "Operability",
-                       table.str() + "<p class=\"small\">" + html::escape(note) + "</p>\n" + limit_remarks(all) +
-                           (all.workability ? workability_table(*all.workability) : ""));
+  return block::section("operability", "Operability",
+                        table + block::remark(note) + limit_remarks(all) +
+                            (all.workability ? workability_part(*all.workability) : Blocks()));
 }
 
-std::string failed_cases_section(const StudyResults& results) {
-  const std::size_t failed = counts_of(results).failed;
-  if (failed == 0) return "";
+Blocks failed_cases_section(const StudyResults& results) {
   const std::string command = results.command.empty() ? "overbend study STUDY.yaml -o DIR" : results.command;
-  html::Table table("", {{"Case", ""}, {"At", "", true}, {"Reason", "", true}, {"Command", "", true}}, "checks");
-  std::size_t rows = 0;
-  for (const StudyCase& one : results.cases) {
-    if (one.state != StudyCaseState::failed || rows == kMostFailed) continue;
-    ++rows;
-    table.row({std::to_string(one.number), where(results, one), one.reason,
-               fmt::format("{} --case {}", command, one.number)});
+  Table table{"", {{"Case", "", 0}, TableColumn("At"), TableColumn("Reason"), TableColumn("Command")}, "checks"};
+  for (const StudyCase& failed : results.cases) {
+    if (failed.state != StudyCaseState::failed || table.rows.size() == kMostFailed) continue;
+    table.row(
+        {failed.number, where(results, failed), failed.reason, fmt::format("{} --case {}", command, failed.number)});
   }
-  const std::string note =
-      failed > kMostFailed
-          ? fmt::format("<p class=\"small\">The first {} of {}; study.csv has all.</p>\n", kMostFailed, failed)
-          : "";
-  return html::section("failed", "Cases without a result", table.str() + note);
+  Blocks body = table;
+  if (const std::size_t all = counts_of(results).failed; all > kMostFailed) {
+    body += block::remark(fmt::format("The first {} of {}; study.csv has all.", kMostFailed, all));
+  }
+  return block::section("failed", "Cases without a result", body);
 }
 
-std::string study_cases_section(const StudyResults& results) {
-  std::vector<html::Head> heads = {{"Case", ""}};
-  for (const StudyInput& input : results.inputs) heads.push_back(head(input.key, {}, input.values.empty()));
-  const bool seeds = std::ranges::any_of(results.cases, [](const StudyCase& one) { return one.seed.has_value(); });
-  if (seeds) heads.push_back({"Seed", ""});
+Blocks study_cases_section(const StudyResults& results) {
+  if (results.cases.empty()) return {};
+  Table table{"", {{"Case", "", 0}}, "dense"};
+  for (const StudyInput& input : results.inputs) table.column(column(input.key, {}, input.values.empty()));
+  const bool seeds =
+      std::ranges::any_of(results.cases, [](const StudyCase& solved) { return solved.seed.has_value(); });
+  if (seeds) table.column({"Seed", "", 0});
   for (const StudyOutput& output : results.outputs) {
-    heads.push_back(head(output.name, shown_unit_of(output), output.text));
+    table.column(column(output.name, shown_unit_of(output), output.text));
   }
-  heads.push_back({"Result", "", true});
-  html::Table table("", heads, "dense");
+  table.column(TableColumn("Result"));
   for (std::size_t i = 0; i < std::min(results.cases.size(), kMostRows); ++i) {
-    const StudyCase& one = results.cases[i];
-    std::vector<std::string> cells = {std::to_string(one.number)};
-    for (std::size_t k = 0; k < results.inputs.size(); ++k) cells.push_back(k < one.words.size() ? one.words[k] : "-");
-    if (seeds) cells.push_back(one.seed ? std::to_string(*one.seed) : "-");
-    for (std::size_t k = 0; k < results.outputs.size(); ++k) {
-      cells.push_back(value_words(results.outputs[k], one, k));
-    }
-    cells.push_back(result_words(one));
-    table.row(cells, one.state == StudyCaseState::open ? "soft" : one.passed() ? "" : "over");
+    const StudyCase& row = results.cases[i];
+    std::vector<TableCell> cells = {row.number};
+    for (std::size_t k = 0; k < results.inputs.size(); ++k)
+      cells.emplace_back(k < row.words.size() ? row.words[k] : "-");
+    if (seeds) cells.push_back(row.seed ? TableCell(*row.seed) : "-");
+    for (std::size_t k = 0; k < results.outputs.size(); ++k)
+      cells.emplace_back(value_words(results.outputs[k], row, k));
+    cells.emplace_back(result_words(row));
+    table.row(cells, row.state == StudyCaseState::open ? RowMark::soft : row.passed() ? RowMark::none : RowMark::over);
   }
   std::string note = "The same rows are in study.csv, study.xlsx and study.h5.";
   if (results.cases.size() > kMostRows) {
     note = fmt::format("The first {} of {} cases; all are in study.csv, study.xlsx and study.h5.", kMostRows,
                        results.cases.size());
   }
-  return html::section("cases", "Cases", table.str() + "<p class=\"small\">" + note + "</p>\n");
+  return block::section("cases", "Cases", table + block::remark(note));
 }
 
 }  // namespace overbend

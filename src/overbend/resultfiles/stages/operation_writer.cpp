@@ -12,6 +12,7 @@
 #include "resultfiles/stages/stage_table.h"
 #include "resultfiles/static/check_tables.h"
 #include "resultfiles/static/finite_check.h"
+#include "resultfiles/tables/data_table.h"
 #include "resultfiles/tables/finite_visitor.h"
 #include "resultfiles/tables/xlsx_table.h"
 #include "results/fields/lay_operation_fields.h"
@@ -108,7 +109,7 @@ void write_operation_files(const OperationResults& results, const Description& d
                            const std::filesystem::path& folder) {
   require_finite_stages(results);
   write_operation_hdf5(results, description, folder / "results.h5");
-  const DataTable table = stages_table(results);
+  const Table table = stages_table(results);
   write_text(folder / "stages.csv", csv_text(table));
   write_xlsx({table}, folder / "stages.xlsx");
   write_stage_checks(results, folder);

@@ -175,20 +175,17 @@ std::vector<StageTableColumn> stage_table_columns(const OperationResults& result
   return columns;
 }
 
-DataTable stages_table(const OperationResults& results) {
-  DataTable table;
-  table.name = "Stages";
+Table stages_table(const OperationResults& results) {
+  Table table{"Stages", {}};
   table.rows.resize(results.stages.size());
   for (const StageTableColumn& column : stage_table_columns(results)) {
-    table.columns.push_back({headed(column.heading, column.unit), column.digits});
+    table.column(column.text ? TableColumn(column.heading)
+                             : TableColumn(column.heading, ShownUnit{"", column.unit}, column.digits));
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
-      if (column.text) {
-        table.rows[i].emplace_back(column.texts[i]);
-      } else if (std::isnan(column.numbers[i])) {
-        table.rows[i].emplace_back(std::monostate());
-      } else {
-        table.rows[i].emplace_back(column.numbers[i]);
-      }
+      const bool none = !column.text && std::isnan(column.numbers[i]);
+      table.rows[i].cells.push_back(none          ? TableCell()
+                                    : column.text ? TableCell(column.texts[i])
+                                                  : TableCell(column.numbers[i]));
     }
   }
   return table;

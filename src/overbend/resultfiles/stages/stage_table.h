@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "resultfiles/tables/data_table.h"
 #include "results/operation_results.h"
+#include "results/tables/table.h"
 
 namespace overbend {
 
@@ -23,6 +23,6 @@ struct StageTableColumn {
 std::vector<StageTableColumn> stage_table_columns(const OperationResults& results);
 
 /// The table of stages.csv and stages.xlsx.
-DataTable stages_table(const OperationResults& results);
+Table stages_table(const OperationResults& results);
 
 }  // namespace overbend

@@ -7,8 +7,10 @@
 #include "resultfiles/summary/json_fields.h"
 #include "resultfiles/summary/summary_fields.h"
 #include "resultfiles/summary/summary_json.h"
+#include "resultfiles/tables/data_table.h"
 #include "resultfiles/tables/xlsx_table.h"
 #include "results/fields/lay_table_fields.h"
+#include "results/tables/field_table.h"
 #include "runstore/append_file.h"
 
 namespace overbend {
@@ -25,7 +27,7 @@ struct EmptyCells {
 
 std::vector<TableCell> cells_of(const LayTable& table, const LayTableRow& row) {
   std::vector<TableCell> cells;
-  TableRow visit{cells};
+  FieldCells visit{cells};
   visit_lay_table_place(table.vary, table.route, row, visit);
   if (row.lay) {
     visit_lay_table_values(*row.lay, visit);
@@ -76,17 +78,15 @@ std::string lay_verdict(const LayTableRow& row) {
   return word(row.lay->verdict);
 }
 
-DataTable lay_table_data(const LayTable& table) {
-  DataTable data;
-  data.name = "lay table";
-  TableHead head{data.columns};
+Table lay_table_data(const LayTable& table) {
+  Table data{"lay table", {}};
+  FieldColumns head{data.columns};
   const LayTableRow example;
   visit_lay_table_place(table.vary, table.route, example, head);
   const LayTableValues values;
   visit_lay_table_values(values, head);
-  data.columns.push_back({"verdict"});
-  data.columns.push_back({"remark"});
-  for (const LayTableRow& row : table.rows) data.rows.push_back(cells_of(table, row));
+  data.column(TableColumn("verdict")).column(TableColumn("remark"));
+  for (const LayTableRow& row : table.rows) data.row(cells_of(table, row));
   return data;
 }
 
@@ -136,7 +136,7 @@ void write_lay_table_files(const LayTable& table, const std::filesystem::path& f
     visit_lay_table_place(table.vary, table.route, row, finite);
     if (row.lay) visit_lay_table_values(*row.lay, finite);
   }
-  const DataTable data = lay_table_data(table);
+  const Table data = lay_table_data(table);
   write_text(folder / "lay-table.csv", csv_text(data));
   write_xlsx({data}, folder / "lay-table.xlsx");
   write_text(folder / "summary.json", lay_table_summary(table));

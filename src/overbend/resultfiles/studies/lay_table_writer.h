@@ -5,13 +5,13 @@
 #include <string>
 
 #include "resultfiles/hdf5/dataset_sink.h"
-#include "resultfiles/tables/data_table.h"
 #include "results/lay_table_results.h"
+#include "results/tables/table.h"
 
 namespace overbend {
 
 /// Rows and columns as lay-table.csv and lay-table.xlsx have them.
-DataTable lay_table_data(const LayTable& table);
+Table lay_table_data(const LayTable& table);
 
 /// The verdict on a row: "passed", "reserved", "exceeded", "not judged", "no lay".
 std::string lay_verdict(const LayTableRow& row);

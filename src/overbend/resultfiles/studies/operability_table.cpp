@@ -10,6 +10,11 @@ namespace {
 constexpr std::array<const char*, 12> kMonths = {"January", "February", "March",     "April",   "May",      "June",
                                                  "July",    "August",   "September", "October", "November", "December"};
 
+/// Of values in the unit that the study file has them in.
+TableColumn input_column(const std::string& title, const std::string& unit) {
+  return {title, ShownUnit{"", unit}, 3};
+}
+
 /// What one SI unit is in the one shown.
 double shown_factor(const std::string& unit, const std::string& show) {
   const std::optional<double> factor = show.empty() ? std::nullopt : unit_factor(show, unit);
@@ -36,7 +41,7 @@ std::vector<TableCell> row_of(const OperabilityResults& results, const Operabili
   const bool has_above = cell.decided && !cell.beyond;
   row.push_back(cell.limit && cell.below > 0.0 ? TableCell(cell.below) : TableCell());
   row.push_back(has_above && cell.above > 0.0 ? TableCell(cell.above) : TableCell());
-  row.emplace_back(static_cast<double>(cell.runs));
+  row.emplace_back(cell.runs);
   row.emplace_back(cell.reason);
   return row;
 }
@@ -49,35 +54,32 @@ std::string limit_words(const OperabilityCell& cell) {
   return cell.beyond ? "above the largest" : "limit";
 }
 
-DataTable operability_table(const OperabilityResults& results) {
-  DataTable table;
-  table.name = "operability";
-  for (const StudyInput& axis : results.axes) table.columns.push_back({headed(axis.key, axis.show)});
-  table.columns.push_back({headed("largest " + results.over, results.show)});
+Table operability_table(const OperabilityResults& results) {
+  Table table{"operability", {}};
+  for (const StudyInput& axis : results.axes) table.column(input_column(axis.key, axis.show));
+  table.column(input_column("largest " + results.over, results.show));
   if (results.alpha) {
-    table.columns.push_back({headed("alpha x largest (alpha = " + format_number(*results.alpha) + ")", results.show)});
+    table.column(input_column("alpha x largest (alpha = " + format_number(*results.alpha) + ")", results.show));
   }
-  table.columns.push_back({"limit"});
-  table.columns.push_back({"governing"});
-  table.columns.push_back({"utilisation at the limit"});
-  table.columns.push_back({"utilisation above it"});
-  table.columns.push_back({"analyses", 0});
-  table.columns.push_back({"remark"});
-  for (const OperabilityCell& cell : results.cells) table.rows.push_back(row_of(results, cell));
+  table.column(TableColumn("limit"))
+      .column(TableColumn("governing"))
+      .column({"utilisation at the limit", "", 3})
+      .column({"utilisation above it", "", 3})
+      .column({"analyses", "", 0})
+      .column(TableColumn("remark"));
+  for (const OperabilityCell& cell : results.cells) table.row(row_of(results, cell));
   return table;
 }
 
-DataTable workability_table(const OperabilityResults& results) {
-  DataTable table;
-  table.name = "workability";
-  table.columns = {{"month"}, {"workable [%]", 1}};
+Table workability_table(const OperabilityResults& results) {
+  Table table{"workability", {TableColumn("month"), {"workable", "%", 1}}};
   const std::optional<Workability>& forecast = results.forecast_workability;
-  if (forecast) table.columns.push_back({"workable by forecast, with alpha [%]", 1});
+  if (forecast) table.column({"workable by forecast, with alpha", "%", 1});
   if (!results.workability) return table;
   const auto add = [&](const std::string& name, double part, const double* with_alpha) {
     std::vector<TableCell> row = {name, 100.0 * part};
     if (with_alpha != nullptr) row.emplace_back(100.0 * *with_alpha);
-    table.rows.push_back(std::move(row));
+    table.row(std::move(row));
   };
   const std::vector<double>& months = results.workability->months;
   for (std::size_t i = 0; months.size() == kMonths.size() && i < months.size(); ++i) {

@@ -13,6 +13,7 @@
 #include "resultfiles/studies/operability_json.h"
 #include "resultfiles/studies/operability_table.h"
 #include "resultfiles/summary/summary_json.h"
+#include "resultfiles/tables/data_table.h"
 #include "resultfiles/tables/xlsx_table.h"
 #include "runstore/replace_file.h"
 
@@ -40,13 +41,12 @@ double factor_of(const StudyInput& input) {
   return *factor;
 }
 
-TableCell number_cell(std::optional<double> value, double factor) {
-  if (!value || !std::isfinite(*value)) return std::monostate();
-  return *value * factor;
+TableCell number_cell(std::optional<double> value, double factor = 1.0) {
+  return value && std::isfinite(*value) ? TableCell(*value * factor) : TableCell();
 }
 
 TableCell input_cell(const StudyInput& input, const StudyCase& one, std::size_t i) {
-  if (i >= one.words.size()) return std::monostate();
+  if (i >= one.words.size()) return {};
   if (input.unit.empty()) return one.words[i];
   return number_cell(one.inputs[i], 1.0 / factor_of(input));
 }
@@ -56,23 +56,23 @@ TableCell verdict_cell(const StudyCase& one) {
 }
 
 std::vector<TableCell> cells_of(const StudyResults& results, const StudyCase& one, bool seeds) {
-  std::vector<TableCell> cells = {static_cast<double>(one.number), one.folder};
+  std::vector<TableCell> cells = {one.number, one.folder};
   for (std::size_t i = 0; i < results.inputs.size(); ++i) cells.push_back(input_cell(results.inputs[i], one, i));
-  if (seeds) cells.push_back(one.seed ? TableCell(static_cast<double>(*one.seed)) : std::monostate());
+  if (seeds) cells.push_back(one.seed ? TableCell(*one.seed) : TableCell());
   const bool done = one.state == StudyCaseState::done;
   for (std::size_t i = 0; i < results.outputs.size(); ++i) {
     const StudyOutput& output = results.outputs[i];
     if (!done || i >= one.values.size()) {
-      cells.emplace_back(std::monostate());
+      cells.emplace_back();
     } else if (output.text) {
       cells.emplace_back(one.texts[i]);
     } else {
-      cells.push_back(number_cell(one.values[i], shown_output(output).factor));
+      cells.push_back(number_cell(one.values[i]));
     }
   }
-  cells.push_back(done ? verdict_cell(one) : std::monostate());
+  cells.push_back(done ? verdict_cell(one) : TableCell());
   cells.emplace_back(one.governing);
-  cells.push_back(number_cell(one.utilisation, 1.0));
+  cells.push_back(number_cell(one.utilisation));
   cells.emplace_back(state_word(one));
   cells.emplace_back(one.reason);
   cells.emplace_back(one.wall_time);
@@ -252,21 +252,22 @@ ShownUnit shown_output(const StudyOutput& output) {
   return shown_unit(output.name, other == kOther.end() ? std::string_view(output.unit) : other->second);
 }
 
-DataTable study_table(const StudyResults& results) {
+Table study_table(const StudyResults& results) {
   const bool seeds = has_seeds(results);
-  DataTable table;
-  table.name = "study";
-  table.columns = {{"case", 0}, {"folder"}};
-  for (const StudyInput& input : results.inputs) table.columns.push_back({headed(input.key, input.show)});
-  if (seeds) table.columns.push_back({"seed", 0});
+  Table table{"study", {{"case", "", 0}, TableColumn("folder")}};
+  for (const StudyInput& input : results.inputs) table.column({input.key, ShownUnit{"", input.show}, 3});
+  if (seeds) table.column({"seed", "", 0});
   for (const StudyOutput& output : results.outputs) {
-    const ShownUnit unit = output.text ? ShownUnit{} : shown_output(output);
-    table.columns.push_back({headed(output.name, unit.name), unit.digits});
+    const ShownUnit unit = shown_output(output);
+    table.column(output.text ? TableColumn(output.name) : TableColumn(output.name, unit, unit.digits - unit.more));
   }
-  for (const char* heading : {"checks", "governing check", "utilisation", "state", "reason", "wall time [s]"}) {
-    table.columns.push_back({heading});
-  }
-  for (const StudyCase& one : results.cases) table.rows.push_back(cells_of(results, one, seeds));
+  table.column(TableColumn("checks"))
+      .column(TableColumn("governing check"))
+      .column({"utilisation", "", 3})
+      .column(TableColumn("state"))
+      .column(TableColumn("reason"))
+      .column({"wall time", ShownUnit{"s", "s"}, 3});
+  for (const StudyCase& one : results.cases) table.row(cells_of(results, one, seeds));
   return table;
 }
 
@@ -291,9 +292,9 @@ void write_study_hdf5(const StudyResults& results, const fs::path& file) {
 }
 
 void write_study_files(const StudyResults& results, const fs::path& folder) {
-  const DataTable table = study_table(results);
+  const Table table = study_table(results);
   replace_file(folder / "study.csv", csv_text(table));
-  std::vector<DataTable> sheets = {table};
+  std::vector<Table> sheets = {table};
   if (results.operability) {
     sheets = {operability_table(*results.operability), workability_table(*results.operability)};
     replace_file(folder / "operability.csv", csv_text(sheets.front()));

@@ -5,8 +5,8 @@
 
 #include "base/shown_unit.h"
 #include "resultfiles/hdf5/dataset_sink.h"
-#include "resultfiles/tables/data_table.h"
 #include "results/study_results.h"
+#include "results/tables/table.h"
 
 namespace overbend {
 
@@ -14,7 +14,7 @@ namespace overbend {
 ShownUnit shown_output(const StudyOutput& output);
 
 /// Case, folder, inputs, seed, outputs, verdict, state, reason and time, in the units that are shown.
-DataTable study_table(const StudyResults& results);
+Table study_table(const StudyResults& results);
 
 /// The groups case, inputs and outputs, a dataset per column with its SI unit; extremes over the seeds; limits of
 /// operability. NaN stands where a case has no value.

@@ -3,24 +3,19 @@
 #include "resultfiles/tables/csv_table.h"
 
 namespace overbend {
-namespace {
 
-struct CellWriter {
-  CsvTable& table;
-  void operator()(std::monostate) { table.cell(std::string()); }
-  void operator()(double value) { table.cell(value); }
-  void operator()(const std::string& text) { table.cell(text); }
-  void operator()(const VerdictCell& verdict) { table.cell(verdict.text); }
-};
-
-}  // namespace
-
-std::string csv_text(const DataTable& table) {
+std::string csv_text(const Table& table) {
   std::vector<std::string> names;
-  for (const TableColumn& column : table.columns) names.push_back(column.heading);
+  for (const TableColumn& column : table.columns) names.push_back(title_with_unit(column));
   CsvTable csv(names);
-  for (const std::vector<TableCell>& row : table.rows) {
-    for (const TableCell& cell : row) std::visit(CellWriter{csv}, cell);
+  for (const TableRow& row : table.rows) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      if (const auto* number = std::get_if<double>(&row.cells[i])) {
+        csv.cell(*number * table.columns[i].factor);
+      } else {
+        csv.cell(cell_text(table.columns[i], row.cells[i]));
+      }
+    }
     csv.end_row();
   }
   return csv.text();

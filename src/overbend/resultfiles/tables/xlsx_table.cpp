@@ -61,12 +61,13 @@ struct CellWriter {
   lxw_row_t row;
   lxw_col_t column;
   Formats& formats;
-  int digits;
+  const TableColumn& head;
 
   lxw_error operator()(std::monostate) const { return LXW_NO_ERROR; }
   lxw_error operator()(double value) const {
     if (!std::isfinite(value)) return LXW_NO_ERROR;  // absent, as in a table of text
-    return worksheet_write_number(sheet, row, column, value == 0.0 ? 0.0 : value, formats.number(digits));
+    return worksheet_write_number(sheet, row, column, value == 0.0 ? 0.0 : value * head.factor,
+                                  formats.number(head.digits));
   }
   lxw_error operator()(const std::string& text) const {
     return worksheet_write_string(sheet, row, column, text.c_str(), formats.text);
@@ -83,10 +84,9 @@ std::size_t text_width(const TableCell& cell) {
 }
 
 /// Wide enough for its texts; a heading may break before its unit.
-double column_width(const DataTable& table, std::size_t column) {
-  const std::string& heading = table.columns[column].heading;
-  std::size_t width = std::max(kNarrowest, std::min(heading.find(" ["), heading.size()));
-  for (const auto& row : table.rows) width = std::max(width, text_width(row[column]));
+double column_width(const Table& table, std::size_t column) {
+  std::size_t width = std::max(kNarrowest, table.columns[column].title.size());
+  for (const TableRow& row : table.rows) width = std::max(width, text_width(row.cells[column]));
   return 1.0 + static_cast<double>(std::min(width, kWidest));
 }
 
@@ -98,21 +98,20 @@ std::string sheet_name(std::string name) {
   return name.substr(0, kLongestName);
 }
 
-void write_sheet(const DataTable& table, Formats& formats, const fs::path& file) {
-  lxw_worksheet* sheet = workbook_add_worksheet(formats.book, sheet_name(table.name).c_str());
+void write_sheet(const Table& table, Formats& formats, const fs::path& file) {
+  lxw_worksheet* sheet = workbook_add_worksheet(formats.book, sheet_name(table.title).c_str());
   if (sheet == nullptr) refuse_file(file, "written");
   worksheet_freeze_panes(sheet, 1, 1);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const auto column = static_cast<lxw_col_t>(i);
     worksheet_set_column(sheet, column, column, column_width(table, i), nullptr);
-    worksheet_write_string(sheet, 0, column, table.columns[i].heading.c_str(), formats.head);
+    worksheet_write_string(sheet, 0, column, title_with_unit(table.columns[i]).c_str(), formats.head);
   }
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    require(table.rows[r].size() == table.columns.size(), "a row of a table has a cell for every column");
+    require(table.rows[r].cells.size() == table.columns.size(), "a row of a table has a cell for every column");
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      const CellWriter cell{sheet, static_cast<lxw_row_t>(r + 1), static_cast<lxw_col_t>(i), formats,
-                            table.columns[i].digits};
-      const lxw_error fault = std::visit(cell, table.rows[r][i]);
+      const CellWriter cell{sheet, static_cast<lxw_row_t>(r + 1), static_cast<lxw_col_t>(i), formats, table.columns[i]};
+      const lxw_error fault = std::visit(cell, static_cast<const CellValue&>(table.rows[r].cells[i]));
       if (fault != LXW_NO_ERROR) throw FileFault("the file '" + file.string() + "': " + lxw_strerror(fault));
     }
   }
@@ -120,7 +119,7 @@ void write_sheet(const DataTable& table, Formats& formats, const fs::path& file)
 
 }  // namespace
 
-void write_xlsx(const std::vector<DataTable>& tables, const fs::path& file) {
+void write_xlsx(const std::vector<Table>& tables, const fs::path& file) {
   const fs::path beside = file.string() + ".part";
   lxw_workbook* book = workbook_new(beside.c_str());
   if (book == nullptr) refuse_file(file, "written");
@@ -130,7 +129,7 @@ void write_xlsx(const std::vector<DataTable>& tables, const fs::path& file) {
   Formats formats(book);
   std::string fault;
   try {
-    for (const DataTable& table : tables) write_sheet(table, formats, file);
+    for (const Table& table : tables) write_sheet(table, formats, file);
   } catch (const FileFault& refused) {
     fault = refused.what();
   }

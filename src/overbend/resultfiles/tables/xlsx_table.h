@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <vector>
 
-#include "resultfiles/tables/data_table.h"
+#include "results/tables/table.h"
 
 namespace overbend {
 
 /// Writes the tables, each on a sheet of its own: the head in bold with its units and frozen, numbers as numbers with
 /// the decimals of their column, verdicts in green or red. The same tables give the same bytes. Written beside the file
 /// first and then renamed. Throws FileFault (runstore/append_file.h) where that fails.
-void write_xlsx(const std::vector<DataTable>& tables, const std::filesystem::path& file);
+void write_xlsx(const std::vector<Table>& tables, const std::filesystem::path& file);
 
 }  // namespace overbend

@@ -18,34 +18,51 @@ void visit_vessel_offset(Row& r, Visit& visit) {
 
 template <class Row, class Visit>
 void visit_mooring_line(Row& r, Visit& visit) {
-  visit(ResultField{"name", "1", "Name of the line"}.csv("line").summary(), r.name);
-  visit(ResultField{"length", "m", "Unstressed length"}.csv("length").summary(), r.length);
+  visit(ResultField{"name", "1", "Name of the line"}.csv("line").summary().shown(0), r.name);
+  visit(ResultField{"length", "m", "Unstressed length"}.csv("length").summary().shown(2), r.length);
   visit(
       ResultField{"first_segment_length", "m", "Unstressed length of the first segment"}.csv("first segment").summary(),
       r.first_segment_length);
-  visit(ResultField{"fairlead_tension", "N", "Tension at the fairlead"}.csv("fairlead tension").summary(),
+  visit(ResultField{"fairlead_tension", "N", "Tension at the fairlead"}
+            .csv("fairlead tension")
+            .summary()
+            .shown(1, "Tension"),
         r.fairlead_tension);
-  visit(ResultField{"horizontal", "N", "Horizontal part of the tension at the fairlead"}.csv("horizontal").summary(),
+  visit(ResultField{"horizontal", "N", "Horizontal part of the tension at the fairlead"}
+            .csv("horizontal")
+            .summary()
+            .shown(1),
         r.horizontal);
-  visit(ResultField{"declination", "rad", "Of the line below horizontal at the fairlead"}.csv("declination").summary(),
+  visit(ResultField{"declination", "rad", "Of the line below horizontal at the fairlead"}
+            .csv("declination")
+            .summary()
+            .shown(2),
         r.declination);
-  visit(ResultField{"anchor_tension", "N", "Tension at the anchor"}.csv("anchor tension").summary(), r.anchor_tension);
+  visit(ResultField{"anchor_tension", "N", "Tension at the anchor"}.csv("anchor tension").summary().shown(1, "Anchor"),
+        r.anchor_tension);
   visit(ResultField{"anchor_uplift", "N", "Vertical force on the anchor"}.csv("uplift").summary(), r.anchor_uplift);
-  visit(ResultField{"uplift_angle", "rad", "Of the line over horizontal at the anchor"}.csv("uplift angle").summary(),
+  visit(ResultField{"uplift_angle", "rad", "Of the line over horizontal at the anchor"}
+            .csv("uplift angle")
+            .summary()
+            .shown(2),
         r.uplift_angle);
   visit(ResultField{"suspended_length", "m", "Unstressed length from the fairlead to touchdown"}
             .csv("suspended")
-            .summary(),
+            .summary()
+            .shown(1),
         r.suspended_length);
   visit(ResultField{"touchdown_distance", "m", "Horizontal distance from the fairlead to touchdown"}
             .csv("touchdown distance")
             .summary(),
         r.touchdown_distance);
-  visit(ResultField{"on_bed", "m", "Unstressed length on the bed"}.csv("on bed").summary(), r.on_bed);
+  visit(ResultField{"on_bed", "m", "Unstressed length on the bed"}.csv("on bed").summary().shown(1), r.on_bed);
   visit(
       ResultField{"horizontal_distance", "m", "Horizontal distance from fairlead to anchor"}.csv("distance").summary(),
       r.horizontal_distance);
-  visit(ResultField{"azimuth", "rad", "Of the anchor from the fairlead, clockwise from north"}.csv("azimuth").summary(),
+  visit(ResultField{"azimuth", "rad", "Of the anchor from the fairlead, clockwise from north"}
+            .csv("azimuth")
+            .summary()
+            .shown(1),
         r.azimuth);
   visit(ResultField{"slack", "1", "1 where nothing pulls horizontally"}.summary(), r.slack);
   visit(ResultField{"parted", "1", "1 where the line is not there"}.summary(), r.parted);
@@ -56,10 +73,13 @@ void visit_mooring_line(Row& r, Visit& visit) {
 /// What is there only where the model gives a breaking load, a holding power, objects on the bed.
 template <class Row, class Visit>
 void visit_mooring_use(Row& r, Visit& visit) {
-  visit(ResultField{"utilisation", "1", "Tension over the least breaking load"}.summary(), r.utilisation);
-  visit(ResultField{"anchor_utilisation", "1", "Tension at the anchor over its holding power"}.summary(),
+  visit(ResultField{"utilisation", "1", "Tension over the least breaking load"}.summary().shown(3, "Utilisation"),
+        r.utilisation);
+  visit(ResultField{"anchor_utilisation", "1", "Tension at the anchor over its holding power"}.summary().shown(
+            3, "Anchor utilisation"),
         r.anchor_utilisation);
-  visit(ResultField{"clearance", "m", "Least distance to the objects on the bed"}.summary(), r.clearance);
+  visit(ResultField{"clearance", "m", "Least distance to the objects on the bed"}.summary().shown(1, "Clearance"),
+        r.clearance);
 }
 
 template <class Row, class Visit>

@@ -39,12 +39,21 @@ struct ResultField {
   std::string_view description = {};
   const char* frame = kNoFrame;
 
-  std::string_view aspect = {};   ///< Behind the description, where the field is a part of another: ", largest".
-  std::string_view heading = {};  ///< In tables of text, without the unit; empty: not there.
-  bool in_si = false;             ///< Shown in SI in tables of text.
-  bool from_anchor = false;       ///< An arc length from the anchor: page and report count from the tensioner.
-  std::string_view place = {};    ///< Of an extreme: key in summary.json of where it is.
+  std::string_view aspect = {};      ///< Behind the description, where the field is a part of another: ", largest".
+  std::string_view heading = {};     ///< In tables of text, without the unit; empty: not there.
+  std::string_view title = {};       ///< In tables for people, where it is not the heading.
+  std::optional<int> decimals = {};  ///< In tables for people, of metric values; none: not there.
+  bool in_si = false;                ///< Shown in SI in tables of text.
+  bool from_anchor = false;          ///< An arc length from the anchor: page and report count from the tensioner.
+  std::string_view place = {};       ///< Of an extreme: key in summary.json of where it is.
   std::array<std::optional<std::string_view>, 3> keys = {};  ///< By Output; empty: the name itself.
+
+  /// Title of its column in tables for people: "Fairlead tension".
+  std::string shown_title() const {
+    std::string text(title.empty() ? heading : title);
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+  }
 
   /// Key in a JSON text, its levels parted by '/'; none where the field is not in it.
   std::optional<std::string_view> key(Output output) const {
@@ -54,6 +63,12 @@ struct ResultField {
 
   ResultField csv(std::string_view text) && {
     heading = text;
+    return std::move(*this);
+  }
+  /// `text`: the title there, where it is not the heading. Of words the decimals do not matter.
+  ResultField shown(int digits, std::string_view text = {}) && {
+    decimals = digits;
+    title = text;
     return std::move(*this);
   }
   /// `alias`: the key where it is not the name. In that of a quantity over time `*` is min, max, mean and std.

@@ -12,15 +12,15 @@ namespace overbend {
 namespace {
 
 std::string number_text(const TableColumn& column, double value) {
-  return shown_number(value * column.factor, ShownUnit{}, column.digits);
+  return fixed(value * column.factor, column.digits);
 }
 
-/// In the unit of its column, with two decimals more than are shown.
+/// In the unit of its column, with four decimals more than are shown.
 Json number_json(const TableColumn& column, double value) {
-  if (!std::isfinite(value)) return nullptr;
-  const double scale = std::pow(10.0, column.digits + 2);
+  if (!std::isfinite(value)) return "-";
+  const double scale = std::pow(10.0, column.digits + 4);
   const double shown = value * column.factor, rounded = std::round(shown * scale) / scale;
-  if (!std::isfinite(rounded)) return shown;
+  if (!std::isfinite(rounded) || fixed(rounded, column.digits) != fixed(shown, column.digits)) return shown;
   return rounded == 0.0 ? Json(0) : Json(rounded);
 }
 
@@ -50,10 +50,27 @@ Json row_json(const Table& table, const TableRow& row) {
   return cells;
 }
 
+/// The heads above the columns with their spans; none where no column is in a group.
+Json groups_json(const Table& table) {
+  Json groups = Json::array();
+  bool any = false;
+  for (const TableColumn& column : table.columns) {
+    any = any || !column.group.empty();
+    if (groups.empty() || groups.back()[0] != column.group) groups.push_back({column.group, 0});
+    groups.back()[1] = groups.back()[1].get<int>() + 1;
+  }
+  return any ? groups : Json();
+}
+
+bool says_nothing(const TableCell& cell) {
+  const auto* text = std::get_if<std::string>(&cell);
+  return std::holds_alternative<std::monostate>(cell) || (text != nullptr && text->empty());
+}
+
 /// Letters, not bytes: a character of UTF-8 has one byte that does not go on from another.
 std::size_t letters(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 std::string padded(const std::string& text, std::size_t width, bool left) {
@@ -64,13 +81,53 @@ std::string padded(const std::string& text, std::size_t width, bool left) {
 }  // namespace
 
 TableColumn::TableColumn(std::string heading, const ShownUnit& shown, int decimals)
-    : title(std::move(heading)),
-      unit(shown.name),
-      factor(shown.factor),
-      digits(std::max(0, decimals + shown.more)) {}
+    : title(std::move(heading)), unit(shown.name), factor(shown.factor), digits(std::max(0, decimals + shown.more)) {}
 
 TableColumn::TableColumn(std::string heading, std::string_view si, int decimals)
     : TableColumn(std::move(heading), shown_unit(si), decimals) {}
+
+TableColumn TableColumn::texts(std::string heading, std::string_view unit) {
+  TableColumn column(std::move(heading));
+  column.unit = unit;
+  column.words = false;
+  return column;
+}
+
+Table& Table::column(TableColumn column) {
+  columns.push_back(std::move(column));
+  return *this;
+}
+
+Table& Table::groups(const std::vector<std::pair<std::string, int>>& spans) {
+  std::size_t i = 0;
+  for (const auto& [heading, span] : spans) {
+    for (int k = 0; k < span && i < columns.size(); ++k) columns[i++].group = heading;
+  }
+  return *this;
+}
+
+Table Table::with_columns(const std::vector<std::string_view>& keys) const {
+  Table chosen{title, {}, look, std::vector<TableRow>(rows.size())};
+  for (const std::string_view key : keys) {
+    const auto found = std::ranges::find(columns, key, &TableColumn::key);
+    if (found == columns.end()) continue;
+    const auto place = static_cast<std::size_t>(found - columns.begin());
+    chosen.columns.push_back(*found);
+    for (std::size_t i = 0; i < rows.size(); ++i) chosen.rows[i].cells.push_back(rows[i].cells[place]);
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) chosen.rows[i].mark = rows[i].mark;
+  return chosen;
+}
+
+Table& Table::drop_empty_columns() {
+  for (std::size_t i = columns.size(); i-- > 0;) {
+    if (!std::all_of(rows.begin(), rows.end(), [i](const TableRow& row) { return says_nothing(row.cells[i]); }))
+      continue;
+    columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(i));
+    for (TableRow& row : rows) row.cells.erase(row.cells.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return *this;
+}
 
 Table& Table::row(std::vector<TableCell> cells, RowMark mark) {
   rows.push_back({std::move(cells), mark});
@@ -91,21 +148,32 @@ std::string cell_text(const TableColumn& column, const TableCell& cell) {
 Json table_json(const Table& table) {
   Json json = {{"title", table.title}, {"look", table.look}, {"columns", Json::array()}, {"rows", Json::array()}};
   for (const TableColumn& column : table.columns) json["columns"].push_back(column_json(column));
-  for (const auto& [title, span] : table.groups) json["groups"].push_back({title, span});
+  if (Json groups = groups_json(table); !groups.is_null()) json["groups"] = std::move(groups);
   for (const TableRow& row : table.rows) json["rows"].push_back(row_json(table, row));
-  const bool marked = std::any_of(table.rows.begin(), table.rows.end(),
-                                  [](const TableRow& row) { return row.mark != RowMark::none; });
+  const bool marked =
+      std::any_of(table.rows.begin(), table.rows.end(), [](const TableRow& row) { return row.mark != RowMark::none; });
   if (marked) {
     for (const TableRow& row : table.rows) json["marks"].push_back(name(row.mark));
   }
   return json;
 }
 
+Json described_table_json(const Table& table) {
+  Json json = table_json(table);
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (!table.columns[i].key.empty()) json["columns"][i]["key"] = table.columns[i].key;
+    if (!table.columns[i].description.empty()) json["columns"][i]["description"] = table.columns[i].description;
+  }
+  return json;
+}
+
 std::string table_text(const Table& table, int indent) {
+  if (table.empty()) return "";
   const std::size_t count = table.columns.size();
   std::vector<std::vector<std::string>> lines(1);
   for (const TableColumn& column : table.columns) {
-    lines.front().push_back(column.unit.empty() ? column.title : column.title + " " + column.unit);
+    const std::string heading = column.group.empty() ? column.title : column.group + " " + column.title;
+    lines.front().push_back(column.unit.empty() ? heading : heading + " " + column.unit);
   }
   for (const TableRow& row : table.rows) {
     std::vector<std::string>& line = lines.emplace_back(count);

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "report/moored/line_parts.h"
-#include "report/page/places.h"
 #include "report/stages/hold_points.h"
 #include "report/stages/stage_words.h"
 #include "resultfiles/summary/json_fields.h"
+#include "results/fields/places.h"
 #include "results/findings.h"
 #include "results/lift_brief.h"
 #include "results/sagbend.h"

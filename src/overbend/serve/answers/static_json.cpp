@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "results/tables/result_tables.h"
 #include "serve/answers/page_fields.h"
 #include "serve/answers/page_style.h"
 
@@ -28,7 +29,9 @@ Json pose_json(const Vec3& p_WV, const Mat3& R_WV) {
 Json static_json(const StaticResults& results, const std::vector<std::string>* lists) {
   PageStyle style;
   if (!results.stations.empty()) style.top = results.stations.back().s;
-  return page_statics(style, results, lists);
+  Json answer = page_statics(style, results, lists);
+  if (lists == nullptr) answer["tables"] = tables_json(static_tables(results));  // not while a value is dragged
+  return answer;
 }
 
 }  // namespace overbend

@@ -14,7 +14,7 @@ namespace overbend {
 
 /// `key`, `pipe`, `touchdown`, `supports`, `tensioner`, `moorings`, `lines` and `warnings` of POST /api/static. Lists
 /// run from the tensioner to the anchor. Without a pipe what is told of one is null. `lists`: which of `pipe` are
-/// wanted beside s, x, y and z; all when null.
+/// wanted beside s, x, y and z; all when null, and then `tables` as well (results/tables/result_tables.h).
 Json static_json(const StaticResults& results, const std::vector<std::string>* lists = nullptr);
 
 /// Everything that does not move, and the sea: GET /api/scene. The sea has the seed given, else that of a run of the

@@ -9,6 +9,7 @@
 #include "modelfile/reading/yaml_reader.h"
 #include "report/studies/lay_table_data.h"
 #include "resultfiles/studies/lay_table_writer.h"
+#include "resultfiles/tables/data_table.h"
 #include "resultfiles/tables/xlsx_table.h"
 #include "results/fields/lay_table_fields.h"
 #include "runstore/append_file.h"
@@ -47,22 +48,23 @@ LayTableDescription asked(const Description& description, const Json& request) {
   return table;
 }
 
-Json cell_json(const TableCell& cell) {
-  if (const auto* number = std::get_if<double>(&cell)) return *number;
+Json cell_json(const TableColumn& column, const TableCell& cell) {
+  if (const auto* number = std::get_if<double>(&cell)) return *number * column.factor;
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* verdict = std::get_if<VerdictCell>(&cell)) return verdict->text;
   return nullptr;
 }
 
 Json table_json(const LayTable& table) {
-  const DataTable data = lay_table_data(table);
+  const Table data = lay_table_data(table);
   Json columns = Json::array(), rows = Json::array();
   for (const TableColumn& column : data.columns) {
-    columns.push_back({{"heading", column.heading}, {"digits", column.digits}});
+    columns.push_back({{"heading", title_with_unit(column)}, {"digits", column.digits}});
   }
   for (std::size_t i = 0; i < data.rows.size(); ++i) {
     Json cells = Json::array();
-    for (const TableCell& cell : data.rows[i]) cells.push_back(cell_json(cell));
+    const std::vector<TableCell>& row = data.rows[i].cells;
+    for (std::size_t k = 0; k < row.size(); ++k) cells.push_back(cell_json(data.columns[k], row[k]));
     rows.push_back({{"kind", word(table.rows[i].kind)}, {"verdict", lay_verdict(table.rows[i])}, {"cells", cells}});
   }
   return {{"status", "ok"},

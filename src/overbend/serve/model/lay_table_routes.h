@@ -6,7 +6,6 @@
 #include <memory>
 #include <mutex>
 
-#include "resultfiles/tables/data_table.h"
 #include "results/lay_table_results.h"
 #include "serve/http/http.h"
 #include "serve/model/open_model.h"

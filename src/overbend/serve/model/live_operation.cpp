@@ -74,7 +74,7 @@ Json LiveOperation::stage(std::size_t number) const {
 std::string LiveOperation::report() const {
   const std::lock_guard<std::mutex> hold(mutex_);
   if (!solved_) throw HttpFault(404, "the stages are not solved");
-  return operation_report_html(*solved_, solved_text_);
+  return page_text(operation_report_document(*solved_, solved_text_));
 }
 
 void add_operation_routes(std::vector<HttpRoute>& routes, OpenModel& model, LiveOperation& operation) {

@@ -5,6 +5,7 @@
 
 #include "modelfile/reading/yaml_reader.h"
 #include "resultfiles/dynamic/dynamic_reader.h"
+#include "results/tables/result_tables.h"
 #include "serve/answers/page_fields.h"
 #include "serve/answers/page_style.h"
 
@@ -69,7 +70,9 @@ Json envelopes_json(const std::filesystem::path& h5) {
 
 Json run_statics_json(const std::filesystem::path& h5) {
   Json answer = {{"status", "converged"}};
-  answer.update(static_json(read_static_results(h5).results));
+  const StaticResults statics = read_static_results(h5).results;
+  answer.update(static_json(statics));
+  if (has_dynamic(h5)) answer["run_tables"] = tables_json(dynamic_tables(statics, read_dynamic_results(h5).results));
   return answer;
 }
 

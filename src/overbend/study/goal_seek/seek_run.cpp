@@ -52,8 +52,7 @@ void solve_answer(SeekRun& run, const std::optional<StaticSolution>& start) {
 void write_answer(const SeekRun& run, const fs::path& folder) {
   if (run.operation) {
     write_operation_files(*run.operation, run.answer, folder);
-    FirstSection sought{"", Json{{"seek", seek_figure_data(run.results)}}};
-    sought.html = seek_section(run.results, sought.figures);
+    const FirstSection sought{seek_section(run.results), {{"seek", seek_figure_data(run.results)}}};
     write_operation_report(*run.operation, run.answer.source_text, folder / "report.html", &sought);
     return;
   }

@@ -18,7 +18,7 @@ constexpr double kFlattestTower = 45.0 * kDegree;  ///< A J-lay tower leans no f
 constexpr int kTrials = 16;  ///< Lays calculated before none is believed to pass; most take two or three.
 
 /// What the calculation says against a lay; empty where it stands and passes.
-struct Verdict {
+struct LayObjections {
   std::string no_solution;
   std::vector<CheckRow> exceeded;
   double top_inclination = 0.0;  ///< Of the pipe at the tensioner [rad].
@@ -31,20 +31,20 @@ struct Verdict {
   }
 };
 
-Verdict judge(const Description& description) {
+LayObjections judge(const Description& description) {
   Model model = build_model(description);
   const ModelEquilibrium outcome = solve_lay(model);
-  Verdict verdict;
+  LayObjections objections;
   if (!outcome.solution) {
-    verdict.no_solution = outcome.failure->what;
-    return verdict;
+    objections.no_solution = outcome.failure->what;
+    return objections;
   }
   const StaticResults results = checked_statics(model, outcome);
-  verdict.top_inclination = results.stations.back().inclination;
+  objections.top_inclination = results.stations.back().inclination;
   for (const CheckRow& row : results.checks.rows) {
-    if (row.governing && row.status == CheckStatus::exceeded) verdict.exceeded.push_back(row);
+    if (row.governing && row.status == CheckStatus::exceeded) objections.exceeded.push_back(row);
   }
-  return verdict;
+  return objections;
 }
 
 /// Which of the margins are the user's, not ours.
@@ -56,20 +56,20 @@ struct Free {
 /// thicker wall: at the seabed, where the pipe is nearly straight, pressure alone is too much for it.
 enum class Cure { wall, tension, radius };
 
-Cure cure_of(const CheckRow& row, const Verdict& verdict) {
+Cure cure_of(const CheckRow& row, const LayObjections& objections) {
   if (row.region == CheckRegion::overbend || row.region == CheckRegion::tip) return Cure::radius;
   if (row.region != CheckRegion::sagbend) return Cure::wall;
-  const bool straight_too = std::ranges::any_of(verdict.exceeded, [](const CheckRow& other) {
+  const bool straight_too = std::ranges::any_of(objections.exceeded, [](const CheckRow& other) {
     return other.region == CheckRegion::seabed || other.region == CheckRegion::line;
   });
   return straight_too ? Cure::wall : Cure::tension;
 }
 
-/// Margins after a verdict: every cure once, by the worst that asks for it. False where none is ours to take.
-bool mend(NewMargins& margins, const Verdict& verdict, const Free& free) {
+/// Margins after objections to a lay: every cure once, by the worst that asks for it. False where none is ours to take.
+bool mend(NewMargins& margins, const LayObjections& objections, const Free& free) {
   double wall = 0.0, tension = 0.0, radius = 0.0;
-  for (const CheckRow& row : verdict.exceeded) {
-    Cure cure = cure_of(row, verdict);
+  for (const CheckRow& row : objections.exceeded) {
+    Cure cure = cure_of(row, objections);
     if (cure == Cure::tension && !free.tension) cure = Cure::wall;
     if (cure == Cure::wall && !free.wall && row.region == CheckRegion::sagbend) cure = Cure::tension;
     double& asked = cure == Cure::wall ? wall : cure == Cure::tension ? tension : radius;
@@ -111,15 +111,16 @@ std::variant<NewLay, std::string> choose_lay(const NewOptions& options) {
     if (!reading.description) {
       return "these values do not give a valid model:\n" + reading.diagnostics.lines(Severity::error).front();
     }
-    const Verdict verdict = judge(*reading.description);
+    const LayObjections objections = judge(*reading.description);
     if (!lay.model.stinger &&
-        verdict.no_solution.empty()) {  // the tower stands as the pipe hangs from its pinned guide
-      lay.model.departure_angle = verdict.top_inclination;
+        objections.no_solution.empty()) {  // the tower stands as the pipe hangs from its pinned guide
+      lay.model.departure_angle = objections.top_inclination;
       lay.text = model_text(lay.model);
     }
-    if (verdict.passed()) return tower_stands(lay.model) ? std::variant<NewLay, std::string>(lay) : leaning(lay.model);
-    against = verdict.words();
-    if (!verdict.no_solution.empty() || !mend(margins, verdict, free)) break;
+    if (objections.passed())
+      return tower_stands(lay.model) ? std::variant<NewLay, std::string>(lay) : leaning(lay.model);
+    against = objections.words();
+    if (!objections.no_solution.empty() || !mend(margins, objections, free)) break;
   }
   if (free.wall && free.tension && free.radius) {
     return fmt::format("no wall, tension and stinger radius were found that pass the checks of this lay: {}", against);

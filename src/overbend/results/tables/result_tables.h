@@ -1,0 +1,24 @@
+/// All tables of results by name: what the page and Python get.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "results/dynamic_results.h"
+#include "results/tables/table.h"
+
+namespace overbend {
+
+using NamedTables = std::vector<std::pair<std::string, Table>>;
+
+/// Of a static state: "summary", "boxes", "rollers", "lines", "line_ends", "moorings"; those without rows are left out.
+NamedTables static_tables(const StaticResults& results);
+
+/// Of a run: "line_ends", "vessel", "thrust", "fairlead_tensions", "moorings", "mooring_events".
+NamedTables dynamic_tables(const StaticResults& statics, const DynamicResults& results);
+
+/// `{name: table, ...}`, see described_table_json.
+Json tables_json(const NamedTables& tables);
+
+}  // namespace overbend

@@ -1,0 +1,35 @@
+// Curves of a lay table over what is varied, shaded where every check passes.
+import type { LayTableCurves } from '../api/types';
+import { bounds } from '../logic/laytable';
+import { Chart } from './Chart';
+import type { Range } from './chart/scale';
+import { colours } from './colours';
+
+export interface LayTableLook { curves: string[]; limit: string; passing: string }
+
+const kPaper: LayTableLook = { curves: [colours.pipe, colours.second], limit: colours.accent, passing: '#e6f2ea' };
+
+/** Where every check passes, as far as the chart goes. */
+function passingRange({ least, largest }: LayTableCurves, [low, high]: Range): Range | null {
+  if (least === null && largest === null) return null;
+  const inside = (value: number): number => Math.min(Math.max(value, low), high);
+  return [inside(least ?? low), inside(largest ?? high)];
+}
+
+export function LayTableCharts({ table, look = kPaper, width }: { table: LayTableCurves; look?: LayTableLook; width?: number }) {
+  const { x } = bounds({ title: '', limit: null, series: table.panels.flatMap((panel) => panel.series) });
+  const passing = passingRange(table, x);
+  return (
+    <>
+      {table.panels.map((panel) => (
+        <Chart
+          small title={panel.title} width={width} height={230} x={{ range: x, label: table.axis }} y={{ range: bounds(panel).y }}
+          bands={passing ? [{ x: passing, colour: look.passing }] : []}
+          levels={panel.limit === null ? [] : [{ value: panel.limit, colour: look.limit, dash: '6 4', width: 1.4 }]}
+          curves={panel.series.map(({ name, points }, k) => ({ points, colour: look.curves[k]!, marks: 2.2, title: name }))}
+          legend={panel.series.length > 1 ? panel.series.map(({ name }, k) => ({ text: name, colour: look.curves[k]! })) : []}
+        />
+      ))}
+    </>
+  );
+}

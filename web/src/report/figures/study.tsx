@@ -1,0 +1,139 @@
+// Results of a study over its keys: curves, maps, swings, rank correlations, scatter.
+import { Chart } from '../../components/Chart';
+import type { LegendEntry, Point } from '../../components/chart/types';
+import { colours } from '../../components/colours';
+import { axisPlaces, keyAxis, nameEnd, roomAround } from '../../components/keyAxis';
+import type { CorrelationData, StudyData, StudyGroupData, SwingData } from '../data';
+import type { DrawFigure } from '../figures';
+import { describeGroup, groupsWith, valueWords } from './study_cases';
+import { kMaxMultiples, StudyMaps } from './study_maps';
+
+const kSeedBand = '#c9dbea';
+
+/** Colour, edge and name of a point; passed ones need no name. */
+const kLooks: Partial<Record<StudyGroupData['state'], { colour: string; edge: string; text: string }>> = {
+  reserved: { colour: '#fff', edge: colours.second, text: 'with reservations' },
+  exceeded: { colour: '#fff', edge: colours.accent, text: 'check exceeded' },
+};
+
+function groupPoint(study: StudyData, group: StudyGroupData, x: number, output: number, radius: number): Point {
+  const { colour, edge } = kLooks[group.state] ?? { colour: colours.pipe, edge: colours.pipe };
+  return { x, y: group.mean[output]!, radius, colour, edge, title: describeGroup(study, group) };
+}
+
+const stateLegend = (groups: readonly StudyGroupData[]): LegendEntry[] =>
+  Object.entries(kLooks).filter(([state]) => groups.some((group) => group.state === state)).map(([, look]) => ({ ...look, look: 'dot' }));
+
+function StudyCurves({ study }: { study: StudyData }) {
+  const key = study.axes[0]!;
+  const { places } = axisPlaces(study.inputs[key]!);
+  const xOf = (group: StudyGroupData): number => places[group.at[key]!]!;
+  return (
+    <>
+      {study.outputs.map(({ name, at }) => {
+        const groups = groupsWith(study, at).sort((a, b) => xOf(a) - xOf(b));
+        if (groups.length === 0) return null;
+        const spread = groups.map((group) => [xOf(group), group.low[at]!, group.high[at]!] as const);
+        return (
+          <Chart
+            small title={name} height={250} x={keyAxis(study.inputs[key]!)}
+            y={{ range: roomAround(spread.flatMap(([, low, high]) => [low, high]), 0.08) }}
+            areas={[{ points: spread, colour: kSeedBand }]}
+            curves={[{ points: groups.map((group) => [xOf(group), group.mean[at]!]), colour: colours.pipe }]}
+            points={groups.map((group) => groupPoint(study, group, xOf(group), at, 3.2))}
+            legend={stateLegend(groups)}
+          />
+        );
+      })}
+    </>
+  );
+}
+
+interface SideBar { name: string; low: number; high: number; title: string }
+
+const kRow = 24;
+
+/** Bars to both sides of a line, in the order of the list from the top. */
+function TwoSidedBars({ title, label, bars, middle, range }: { title: string; label: string; bars: SideBar[]; middle: number; range: [number, number] }) {
+  const middleOf = (row: number): number => bars.length - row - 0.5;
+  const heightOf = (row: number): [number, number] => [middleOf(row) - 0.33, middleOf(row) + 0.33];
+  return (
+    <Chart
+      small title={title} height={84 + kRow * bars.length} x={{ range, label, ticks: 5 }}
+      y={{ range: [0, bars.length], names: bars.map((bar, row) => ({ value: middleOf(row), text: nameEnd(bar.name, 26) })) }}
+      bars={bars.flatMap(({ low, high }, row) => [
+        { x: [low, middle] as const, y: heightOf(row), colour: colours.second },
+        { x: [middle, high] as const, y: heightOf(row), colour: colours.pipe },
+      ])}
+      verticals={[{ x: middle, colour: colours.ink, dash: 'none' }]}
+    >
+      {(frame) => bars.map((bar, row) => (
+        <rect y={frame.y(middleOf(row) + 0.5)} width={frame.right} height={frame.y(0) - frame.y(1)} fill="none" pointer-events="all">
+          <title>{bar.title}</title>
+        </rect>
+      ))}
+    </Chart>
+  );
+}
+
+function StudySwings({ all }: { all: SwingData[] }) {
+  return (
+    <>
+      {all.map(({ output, base, bars }) => {
+        const sorted = [...bars].sort((a, b) => (b.high - b.low) - (a.high - a.low));
+        const [low, high] = [Math.min(base, ...bars.map((bar) => bar.low)), Math.max(base, ...bars.map((bar) => bar.high))];
+        const room = 0.05 * (high - low) || 0.5;
+        const words = (bar: (typeof bars)[number]): string =>
+          `${bar.name}: ${valueWords(bar.low)} at ${bar.low_word}, ${valueWords(bar.high)} at ${bar.high_word}`;
+        return (
+          <TwoSidedBars
+            title={output} label="value; the line is the base case" middle={base} range={[low - room, high + room]}
+            bars={sorted.map((bar) => ({ ...bar, title: words(bar) }))}
+          />
+        );
+      })}
+    </>
+  );
+}
+
+function StudyCorrelations({ all }: { all: CorrelationData[] }) {
+  return (
+    <>
+      {all.filter(({ bars }) => bars.length > 0).map(({ output, bars }) => (
+        <TwoSidedBars
+          title={output} label="rank correlation" middle={0} range={[-1, 1]}
+          bars={[...bars].sort((a, b) => Math.abs(b.value) - Math.abs(a.value)).map(({ name, value }) => (
+            { name, low: Math.min(value, 0), high: Math.max(value, 0), title: `${name}: ${value.toFixed(2)}` }))}
+        />
+      ))}
+    </>
+  );
+}
+
+function StudyScatter({ study }: { study: StudyData }) {
+  const charts = study.outputs.flatMap((output) => study.inputs.map((input, key) => (
+    { output, input, key, groups: groupsWith(study, output.at).filter((group) => group.x[key] !== null) }))).filter(({ groups }) => groups.length > 0);
+  const rest = charts.length - kMaxMultiples;
+  return (
+    <>
+      {charts.slice(0, kMaxMultiples).map(({ output, input, key, groups }) => (
+        <Chart
+          small title={output.name} height={250} x={{ range: roomAround(groups.map((group) => group.x[key]!), 0.04), label: input.name }}
+          y={{ range: roomAround(groups.map((group) => group.mean[output.at]!), 0.08) }}
+          points={groups.map((group) => groupPoint(study, group, group.x[key]!, output.at, 2.6))} legend={stateLegend(groups)}
+        />
+      ))}
+      {rest > 0 ? <p class="small">{`${rest} more diagrams are not shown; the table of cases has their numbers.`}</p> : null}
+    </>
+  );
+}
+
+const studyOf = (data: unknown): StudyData => (data as { study: StudyData }).study;
+
+export const studyFigures: Record<string, DrawFigure> = {
+  study_correlations: ({ data }) => <StudyCorrelations all={(studyOf(data).tornado ?? []) as CorrelationData[]} />,
+  study_curves: ({ data }) => <StudyCurves study={studyOf(data)} />,
+  study_maps: ({ data }) => <StudyMaps study={studyOf(data)} />,
+  study_scatter: ({ data }) => <StudyScatter study={studyOf(data)} />,
+  study_swings: ({ data }) => <StudySwings all={(studyOf(data).tornado ?? []) as SwingData[]} />,
+};
