@@ -8,6 +8,7 @@
 #include "app/small_lay.h"
 #include "base/finding.h"
 #include "base/json.h"
+#include "report/page_text.h"
 #include "support/program_path.h"
 #include "support/solved_case.h"
 
@@ -16,12 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::ChildProgram;
+using testing::document_in;
 using testing::file_text;
 using testing::kMoving;
 using testing::kSmallLay;
 using testing::kWaves;
 using testing::ProgramRun;
 using testing::run_program;
+using testing::shown_text;
 using testing::TemporaryFolder;
 using testing::with;
 
@@ -118,9 +121,9 @@ TEST(dynamic_command, the_report_made_again_has_the_same_checks) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_dynamic_model(folder, kSmallLay).code, 0);
   const auto section = [&] {
-    const std::string page = file_text(folder / "out/report.html");
-    const std::size_t from = page.find("id=\"checks\"");
-    return from == std::string::npos ? std::string() : page.substr(from, page.find("</section>", from) - from);
+    const Json body = document_in(file_text(folder / "out/report.html"))["body"];
+    const auto checks = std::ranges::find_if(body, [](const Json& one) { return one["id"] == "checks"; });
+    return checks == body.end() ? std::string() : shown_text((*checks)["body"]);
   };
   const std::string first = section();
   ASSERT_FALSE(first.empty());

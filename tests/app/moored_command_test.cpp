@@ -44,7 +44,7 @@ TEST(moored_command, follows_the_barge_and_writes_what_it_found) {
   const Scratch scratch;
   const ProgramRun done = run_barge(scratch, barge());
   ASSERT_EQ(done.code, 0) << done.err;
-  for (const char* said : {"offset m", "starboard bow", "slow sway", "energy drift", "fewer than 20"}) {
+  for (const char* said : {"Horizontal offset", "starboard bow", "slow sway", "energy drift", "fewer than 20"}) {
     EXPECT_TRUE(has(done.out, said)) << said << "\n" << done.out;
   }
   EXPECT_FALSE(has(done.out, "top tension") || has(done.out, "sagbend")) << done.out;

@@ -106,7 +106,7 @@ TEST(seek_command, of_a_lift_writes_its_stages) {
   EXPECT_NEAR(summary["seek"]["answer"].get<double>(), stages[4]["davits"]["davit 1"]["length"].get<double>(), 1e-6);
   const std::string report = scratch.read("out/report.html");
   EXPECT_NE(report.find("Goal seek"), std::string::npos);
-  EXPECT_NE(report.find("<pre>- {name: at the surface"), std::string::npos);
+  EXPECT_NE(report.find("\"text\":\"- {name: at the surface"), std::string::npos);
   // The model that was written gives the same.
   ASSERT_EQ(run_program("static " + scratch.file("out/model.yaml") + " -o " + scratch.file("again")).code, 0);
   const Json again = read_json(scratch.read("again/summary.json"))["operation"]["stages"];

@@ -145,6 +145,13 @@ inline std::vector<std::string> section_ids(const Document& document) {
   return ids;
 }
 
+/// The document that the text of a report holds.
+inline Json document_in(const std::string& page) {
+  const std::string slot = "<script type=\"application/json\" id=\"document\">";
+  const std::size_t from = page.find(slot) + slot.size();
+  return read_json(page.substr(from, page.find("</script>", from) - from));
+}
+
 /// "configuration/whole" for every panel of the figures of a body, those within others too.
 inline std::vector<std::string> panels(const Json& body) {
   std::vector<std::string> all;

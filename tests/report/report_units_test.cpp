@@ -107,7 +107,8 @@ TEST(report_units, numbers_are_those_of_independent_factors) {
   EXPECT_TRUE(has(page, fmt::format("| {:.2f} | ksi |", lay().sagbend.von_mises.value / kPascalsPerKsi)));
   EXPECT_TRUE(has(page, fmt::format("| {:.1f} | ft |", lay().lay_back / 0.3048)));
   EXPECT_TRUE(has(page, "Steel outside diameter | 16 | in"));
-  EXPECT_TRUE(has(page, "Seabed stiffness | 2088.54 | lbf/ft2"));                   // 100 kPa
+  EXPECT_TRUE(has(page, "Seabed stiffness | 2088.54 | lbf/ft2"));  // 100 kPa
+  EXPECT_TRUE(has(page_text(document), "\"paper\":\"letter\""));
   EXPECT_TRUE(has(page_text(document), "\"m\":{\"name\":\"ft\",\"factor\":3.28"));  // what the figures draw lengths in
 }
 

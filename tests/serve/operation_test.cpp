@@ -53,7 +53,7 @@ TEST(serve_operation, has_a_report_with_the_procedure_sheet_when_it_is_solved) {
   serving.post("/api/operation", Json::object());
   const Reply report = serving.get("/api/operation/report.html");
   EXPECT_EQ(report.status, 200);
-  EXPECT_NE(report.body.find("<section id=\"procedure\">"), std::string::npos);
+  EXPECT_NE(report.body.find("\"id\":\"procedure\""), std::string::npos);
   EXPECT_NE(report.body.find("half a joint"), std::string::npos);
 }
 

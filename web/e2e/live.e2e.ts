@@ -44,6 +44,21 @@ test('code checks are told by region, and colour the pipe', async () => {
   await panel.locator('summary').click();
 });
 
+test('tables of results are sorted, lead to what they name, and are saved', async () => {
+  const tables = page.locator('section[aria-label="Tables of results"]');
+  await tables.locator('summary', { hasText: 'Roller boxes' }).click();
+  await tables.locator('button.sort', { hasText: 'resultant' }).click();
+  const column = await tables.locator('th', { hasText: 'resultant' }).evaluate((head) => (head as HTMLTableCellElement).cellIndex);
+  const reactions = (await tables.locator(`tbody tr td:nth-child(${column + 1})`).allInnerTexts()).map(Number);
+  expect(reactions).toEqual([...reactions].sort((a, b) => b - a));
+  await tables.locator('.linkname', { hasText: 'stinger 8' }).click();
+  await expect.poll(() => page.locator('.slot .read').first().innerText()).toMatch(/^stinger 8,/);
+  const [file] = await Promise.all([page.waitForEvent('download'), tables.locator('button', { hasText: 'csv' }).click()]);
+  expect(file.suggestedFilename()).toBe('boxes.csv');
+  expect(readFileSync((await file.path())!, 'utf8')).toMatch(/^Box,On,X \[m\],.*\r\n/);
+  await tables.locator('summary', { hasText: 'Roller boxes' }).click();
+});
+
 test('a picture for the guide', async () => {
   const guide = await bench.open({ width: 1600, height: 900 });
   await solved(guide);

@@ -97,7 +97,7 @@ test('a stage of the operation is followed by plan and table', async () => {
   await page.selectOption('.planacts select', { label: 'port bow parted' });
   await expect.poll(() => page.locator('.planview .load').count()).toBe(7);
   expect(await page.locator('.planview .load').allTextContents()).not.toEqual(before);
-  expect((await rows()).find((r) => r[0] === 'port bow')![1]).toBe('–');
+  expect((await rows()).find((r) => r[0] === 'port bow')![1]).toBe('-');
   await page.click('.viewbuttons >> text=moorings');
   await page.waitForTimeout(600);
   await bench.shot(page, 'stage-3d');

@@ -46,7 +46,7 @@ test('a new model has neither those of the earlier one nor its lay table', async
   await page.click('#tab-laytable');
   await page.fill('#lt-steps', '2');
   await page.click('text=Make table');
-  await page.locator('table[aria-label="Lay table"] tbody tr').first().waitFor({ timeout: 60_000 });
+  await page.locator('table.lay-rows tbody tr').first().waitFor({ timeout: 60_000 });
   await page.click('header >> text=New…');
   if (await page.locator('text=Continue without saving').count()) await page.click('text=Continue without saving');
   await page.waitForSelector('#n-depth');
@@ -55,6 +55,6 @@ test('a new model has neither those of the earlier one nor its lay table', async
   await expect.poll(() => page.locator('dialog[open]').count(), { timeout: 30_000 }).toBe(0);
   await solved(page);
   expect(await page.locator('.tornado').count()).toBe(0);
-  expect(await page.locator('table[aria-label="Lay table"]').count()).toBe(0);
+  expect(await page.locator('table.lay-rows').count()).toBe(0);
   expect(await page.locator('section[aria-label="Sensitivities"] button').innerText()).toMatch(/^compute the/);
 });

@@ -1,5 +1,6 @@
 import { render } from 'preact';
 import './style.css';
+import './components/chart.css';
 import { App } from './panels/App';
 import { startAnimation } from './state/animation';
 import { connect } from './state/connection';

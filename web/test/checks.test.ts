@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { governing, level, ranked, sheetTitle, sheetValue } from '../src/logic/checks';
+import { drawnSheet, governing, level, ranked } from '../src/logic/checks';
 import type { Check, SheetLine } from '../src/api/types';
 
 const check = (id: string, region: Check['region'], utilisation: number | undefined, more: Partial<Check> = {}): Check => ({
@@ -30,15 +30,16 @@ describe('a line of a calculation sheet', () => {
   const line = (more: Partial<SheetLine>): SheetLine => ({
     symbol: 'f_y', meaning: '', formula: 'alpha_U SMYS', value: 430.08e6, units: 'Pa', origin: '5.3.3', confirmation: 'one source', sources: 'RigidPipe', ...more,
   });
+  const drawn = (more: Partial<SheetLine>) => drawnSheet([line(more)])[0]!;
   test('has its value in the units of the trade, with six digits', () => {
-    expect(sheetValue(line({}))).toBe('430.08 MPa');
-    expect(sheetValue(line({ value: 0.0111251234, units: 'm' }))).toBe('11.1251 mm');
-    expect(sheetValue(line({ value: 1.15, units: '1' }))).toBe('1.15');
-    expect(sheetValue(line({ value: 2, units: '1/s' }))).toBe('2 1/s');
+    expect(drawn({}).value).toBe('430.08 MPa');
+    expect(drawn({ value: 0.0111251234, units: 'm' }).value).toBe('11.1251 mm');
+    expect(drawn({ value: 1.15, units: '1' }).value).toBe('1.15');
+    expect(drawn({ value: 2, units: '1/s' }).value).toBe('2 1/s');
   });
   test('says what confirms it, and what nobody could', () => {
-    expect(sheetTitle(line({}))).toBe('Confirmed by one source: RigidPipe');
-    expect(sheetTitle(line({ confirmation: 'unconfirmed', sources: '' }))).toBe('Recalled, not confirmed by a public text');
-    expect(sheetTitle(line({ confirmation: 'not needed' }))).toBe('5.3.3');
+    expect(drawn({}).confirmed).toBe('Confirmed by one source: RigidPipe');
+    expect(drawn({ confirmation: 'unconfirmed', sources: '' })).toMatchObject({ confirmed: 'Recalled, not confirmed by a public text', soft: true });
+    expect(drawn({ confirmation: 'not needed' })).toMatchObject({ origin: '5.3.3', confirmed: '' });
   });
 });

@@ -5,7 +5,7 @@ import type { BlockData, ReportDocument, TableData } from '../src/components/doc
 import { FrontPage } from '../src/components/FrontPage';
 import { figureNumbers } from '../src/components/outline';
 import { Table } from '../src/components/Table';
-import { nextOrder, rowOrder, tableText } from '../src/components/tableText';
+import { nextOrder, rowOrder, tableCsv, tableText } from '../src/components/tableText';
 import { fixed, unitsFromTable } from '../src/components/units';
 import { cssString, documentNumber, marginStyle } from '../src/report/margins';
 import { Figure } from '../src/report/figures';
@@ -95,7 +95,8 @@ test('a click on a head sorts up, then down, then not; sums stay last', async ()
 test('empty cells stand after the others in either direction', () => {
   expect(rowOrder(table(), { column: 2, descending: false })).toEqual([0, 1, 2]);
   expect(rowOrder(table(), { column: 2, descending: true })).toEqual([0, 1, 2]);
-  expect(rowOrder(table(), nextOrder(null, 1))).toEqual([1, 0, 2]);
+  expect(rowOrder(table(), nextOrder(null, 1))).toEqual([0, 1, 2]);
+  expect(rowOrder(table(), nextOrder(nextOrder(null, 1), 1))).toEqual([1, 0, 2]);
 });
 
 test('a copied table has titles with group and unit and the numbers that are shown', () => {
@@ -104,6 +105,24 @@ test('a copied table has titles with group and unit and the numbers that are sho
     'stinger 10\t210.1\t200.1\tpassed',
     'stinger 9\t98.5\t\tEXCEEDED 1.072',
   ]);
+});
+
+test('a saved table has all decimals and is quoted where it must be', () => {
+  const made = { ...table(), rows: [['a "b", c', 210.1234, null, '-']], marks: [''] } as TableData;
+  expect(tableCsv(made)).toBe('Support,Tension: hold [kN],Tension: not below [kN],Verdict\r\n"a ""b"", c",210.1234,,-\r\n');
+});
+
+test('a head says what its column is, the name of a row can be chosen, numbers have words of their own', () => {
+  const chosen: string[] = [];
+  const described = { ...table(), columns: table().columns.map((column) => ({ ...column, description: `About ${column.title}` })) };
+  const action = (name: string) => (name === 'all' ? undefined : { act: () => { chosen.push(name); }, title: 'Show it', chosen: name === 'stinger 9' });
+  const made = drawn(<Table table={described} rowAction={action} numberTitle={(text, column) => `${text} ${column.unit}`} file="rows" />);
+  expect(made.all('tr')[1]!.all('th')[0]!.attribute('title')).toBe('About Support');
+  expect(texts(made.all('button.linkname'))).toEqual(['stinger 10', 'stinger 9']);
+  made.all('button.linkname')[1]!.click();
+  expect(chosen).toEqual(['stinger 9']);
+  expect(made.all('tr.chosen')[0]!.all('td')[1]!.attribute('title')).toBe('98.5 kN');
+  expect(texts(made.all('caption')[0]!.all('button'))).toEqual(['csv']);
 });
 
 test('tiles mark what is beyond a limit and make room for long values', () => {
@@ -135,7 +154,7 @@ test('margins of printed pages carry the number of the document', () => {
   expect(documentNumber(report.front.control)).toBe('BGL-OB-001, rev. B');
   expect(documentNumber(undefined)).toBe('');
   expect(cssString('a "b" </style>')).toBe('"a \\22 b\\22  \\3c /style>"');
-  expect(marginStyle(report.front)).toMatch(/@top-left \{ content: "BGL-OB-001, rev\. B";.*@bottom-left \{ content: "Static pipelay analysis, 2026-11-29 17:00 UTC"/);
+  expect(marginStyle(report)).toMatch(/size: A4; @top-left \{ content: "BGL-OB-001, rev\. B";.*@bottom-left \{ content: "Static pipelay analysis, 2026-11-29 17:00 UTC"/);
 });
 
 test('a figure that is not known says so in its panel and leaves the caption', async () => {

@@ -1,6 +1,8 @@
 // What a lay table asks for, and how its curves are laid out.
 import { expect, test } from 'vitest';
-import { bounds, rangeOf, usualRange, wishFault } from '../src/logic/laytable';
+import type { LayTable } from '../src/api/types';
+import { valueRange } from '../src/components/LayTableCharts';
+import { layRows, rangeOf, usualRange, wishFault } from '../src/logic/laytable';
 
 test('a range is asked for as the command line does', () => {
   expect(rangeOf({ vary: 'tension', from: ' 200 kN', to: '400 kN ', steps: '20' })).toBe('200 kN..400 kN/20');
@@ -21,11 +23,18 @@ test('what cannot be asked for is said before it is sent', () => {
   expect(wishFault({ ...good, from: 'much' })).toMatch(/numbers/);
 });
 
-test('bounds hold the curves and the limit', () => {
-  const panel = { title: '', limit: 1, series: [{ name: 'a', points: [[200, 0.4], [400, 0.8]] as [number, number][] }] };
-  const { x, y } = bounds(panel);
-  expect(x).toEqual([200, 400]);
-  expect(y[1]).toBeGreaterThan(1);
-  expect(y[0]).toBeGreaterThanOrEqual(0);
-  expect(y[0]).toBeLessThan(0.4);
+test('a panel holds its curves and the limit', () => {
+  const [low, high] = valueRange({ title: '', limit: 1, series: [{ name: 'a', points: [[200, 0.4], [400, 0.8]] }] });
+  expect(high).toBeGreaterThan(1);
+  expect(low).toBeGreaterThanOrEqual(0);
+  expect(low).toBeLessThan(0.4);
+});
+
+test('rows have their units in the heads; limits and what does not pass stand out', () => {
+  const step = { kind: 'step', verdict: 'exceeded', cells: ['step', 200, null] } as const, limit = { kind: 'least', verdict: 'passed', cells: ['least', 210, 0.98] } as const;
+  const columns = [{ heading: 'row', digits: 0 }, { heading: 'tension [kN]', digits: 1 }, { heading: 'checks', digits: 6 }];
+  const table = layRows({ columns, rows: [step, limit] } as unknown as LayTable);
+  expect(table.columns).toMatchObject([{ title: 'row', words: true }, { title: 'tension', unit: 'kN', digits: 1, words: false }, { title: 'checks', digits: 4 }]);
+  expect(table.rows[0]).toEqual(['step', 200, '-']);
+  expect(table.marks).toEqual(['over', 'limit']);
 });

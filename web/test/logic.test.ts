@@ -3,14 +3,15 @@ import { complete, fromSi, inUnitOf, parseQuantity, tidy, tidyLength, toSi, twin
 import { UndoStack } from '../src/logic/undo';
 import { LatestGate } from '../src/logic/gate';
 import { colourAt, niceRange } from '../src/logic/colour';
-import { decimate, indexBefore, nearest, resample } from '../src/logic/decimate';
+import { indexBefore, nearest, resample } from '../src/logic/series';
 import { tube, tubeIndices } from '../src/logic/tube';
 import { fitCircle, fittedRadius, withRadius } from '../src/logic/stinger';
 import { axisNames } from '../src/logic/show';
 import { elevation, surface } from '../src/logic/waves';
 import { check, completed, type Answers } from '../src/logic/start';
 import { blend, decode } from '../src/logic/frames';
-import { ticks, toCsv, toSvg, type Diagram } from '../src/logic/table';
+import { diagramRows } from '../src/charts/data';
+import { csvText } from '../src/components/tableText';
 
 describe('units', () => {
   test('16 in and 406.4 mm are the same, whichever is typed', () => {
@@ -126,15 +127,6 @@ test('colours: ends, middle, and nonsense', () => {
 });
 
 describe('series', () => {
-  test('no peak is lost', () => {
-    const t = Array.from({ length: 10_000 }, (_, i) => i);
-    const v = t.map((i) => (i === 7777 ? 99 : i === 1234 ? -99 : Math.sin(i)));
-    const e = decimate(t, v, 300);
-    expect(e.t.length).toBe(300);
-    expect(Math.max(...e.max)).toBe(99);
-    expect(Math.min(...e.min)).toBe(-99);
-  });
-  test('a short one stays as it is', () => expect(decimate([0, 1], [5, 6], 10)).toEqual({ t: [0, 1], min: [5, 6], max: [5, 6] }));
   test('places', () => {
     expect(indexBefore([0, 1, 2], 1.9)).toBe(1);
     expect(indexBefore([0, 1, 2], -4)).toBe(0);
@@ -224,13 +216,8 @@ test('frames come out as they went in', () => {
   expect([...blend(c.place, 0, c.place, 3, 3, 0.5, new Float32Array(3))]).toEqual([2.5, 3.5, 4.5]);
 });
 
-describe('export', () => {
-  const d: Diagram = { title: 'Tension <top>', xName: 's [m]', yName: 'tension [kN]', x: [0, 1, 2], lines: [{ name: 'static, now', colour: '#123456', values: [1, null, 3] }], low: 0, high: 4, xLow: 0, xHigh: 2 };
-  test('CSV has units in its head and quotes commas', () => expect(toCsv(d)).toBe('s [m],"static, now [kN]"\r\n0,1\r\n1,\r\n2,3\r\n'));
-  test('SVG escapes text and breaks the line at gaps', () => {
-    const svg = toSvg(d);
-    expect(svg).toContain('Tension &#60;top&#62;');
-    expect(svg.match(/M[\d.]+ [\d.]+M/)).not.toBeNull();
-  });
-  test('round ticks', () => expect(ticks(0, 400, 5)).toEqual([0, 100, 200, 300, 400]));
+test('a diagram as CSV has units in its head and quotes commas', () => {
+  const lines = [{ name: 'static, now', colour: '#123456', values: [1, null, 3] }];
+  const data = { title: 'Tension', xName: 's [m]', yName: 'tension [kN]', x: [0, 1, 2], s: [], marks: [], level: [], lines };
+  expect(csvText(diagramRows(data))).toBe('s [m],"static, now [kN]"\r\n0,1\r\n1,\r\n2,3\r\n');
 });

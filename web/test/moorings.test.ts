@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { carried, columnsFor, largestOfRun, lineLevel, poseAt, sceneAt, sorted, stateOf } from '../src/logic/moorings';
+import { carried, columnsFor, largestOfRun, lineLevel, lineTable, poseAt, sceneAt, stateOf } from '../src/logic/moorings';
+import { cellText, nextOrder, rowOrder, titleWithUnit, type SortOrder } from '../src/components/tableText';
 import { alongLine, around, ellipse, labelAt, outline, scaleLength, scatter } from '../src/logic/plan';
 import { firstItem, nextName } from '../src/logic/firstItems';
 import { lineNames, parseAngles, spreadChanges, spreadFaults, usualAngles, type SpreadWish } from '../src/logic/spread';
@@ -41,8 +42,15 @@ const line = (part: Partial<MooringLine>): MooringLine => ({ name: 'a', fairlead
 
 describe('the table of lines', () => {
   const lines = [line({ name: 'a', fairlead_tension: 2 }), line({ name: 'b', fairlead_tension: 3 }), line({ name: 'c', parted: true }), line({ name: 'd', fairlead_tension: 1 })];
-  test('is sorted by a column, a line that parted last', () => expect(sorted(lines, 'fairlead_tension', true).map((l) => l.name)).toEqual(['b', 'a', 'd', 'c']));
-  test('keeps the order of the model unasked', () => expect(sorted(lines, null, true).map((l) => l.name)).toEqual(['a', 'b', 'c', 'd']));
+  const names = (order: SortOrder | null) => rowOrder(lineTable(lines, false), order).map((i) => lines[i]!.name);
+  test('is sorted by a column, a line that parted last', () => expect(names(nextOrder(null, 1))).toEqual(['b', 'a', 'd', 'c']));
+  test('keeps the order of the model unasked', () => expect(names(null)).toEqual(['a', 'b', 'c', 'd']));
+  test('has values in units of the trade, none of a line that parted', () => {
+    const { columns, rows, marks } = lineTable([line({ utilisation: 0.6 }), lines[2]!], false, ['fairlead_tension', 'utilisation']);
+    expect(columns.map(titleWithUnit)).toEqual(['line', 'fairlead [kN]', 'of MBL [%]']);
+    expect(rows.map((cells) => cells.map((cell, i) => cellText(cell, columns[i])))).toEqual([['a', '300.0', '60.0'], ['c', '-', '-']]);
+    expect(marks).toEqual(['over', 'soft']);
+  });
   test('has no column that says nothing', () => expect(columnsFor(lines).map((c) => c.key)).not.toContain('clearance'));
   test('a line is judged by rope and anchor', () => {
     expect(lineLevel(line({}))).toBe('good');

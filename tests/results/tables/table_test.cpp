@@ -22,11 +22,11 @@ TEST(table, as_text_has_heads_with_units_and_columns_that_stand_below_each_other
             "  a long name                   0.00\n");
 }
 
-TEST(table, as_data_has_values_in_the_units_shown_with_two_decimals_more) {
+TEST(table, as_data_has_values_in_the_units_shown_with_four_decimals_more) {
   const Json json = table_json(short_table());
   EXPECT_EQ(json["columns"][1], Json({{"title", "Tension"}, {"unit", "kN"}, {"digits", 1}}));
-  EXPECT_EQ(json["rows"][0], Json({"S1", 346.612, 5.7296}));
-  EXPECT_EQ(json["rows"][1], Json({"a long name", nullptr, -0.0006}));
+  EXPECT_EQ(json["rows"][0], Json({"S1", 346.6123, 5.729578}));
+  EXPECT_EQ(json["rows"][1], Json({"a long name", nullptr, -0.000573}));
   EXPECT_EQ(json["marks"], Json({"", "over"}));
   EXPECT_FALSE(json.contains("groups"));
 }
@@ -38,10 +38,20 @@ TEST(table, in_customary_units_loses_no_digit) {
   EXPECT_EQ(title_with_unit(table.columns[0]), "Tension [kip]");
 }
 
-TEST(table, what_is_not_finite_is_a_dash_and_no_number) {
+TEST(table, what_is_not_finite_is_a_dash) {
   const Table table = Table{"", {TableColumn("X", "m", 2)}}.row({std::numeric_limits<double>::infinity()});
   EXPECT_EQ(cell_text(table.columns[0], table.rows[0].cells[0]), "-");
-  EXPECT_TRUE(table_json(table)["rows"][0][0].is_null());
+  EXPECT_EQ(table_json(table)["rows"][0][0], "-");
+}
+
+TEST(table, has_a_narrow_form_of_the_columns_that_are_named) {
+  Table table{"", {TableColumn("A"), TableColumn("B", "m", 1), TableColumn("C", "m", 1)}};
+  table.columns[0].key = "a";
+  table.columns[2].key = "c";
+  table.row({"x", 1.0, 2.0}, RowMark::over);
+  const Table narrow = table.with_columns({"c", "none", "a"});
+  EXPECT_EQ(table_json(narrow)["rows"], Json::array({Json::array({2.0, "x"})}));
+  EXPECT_EQ(narrow.rows[0].mark, RowMark::over);
 }
 
 TEST(table, columns_that_say_nothing_can_be_left_out_and_the_heads_above_follow) {
@@ -50,7 +60,7 @@ TEST(table, columns_that_say_nothing_can_be_left_out_and_the_heads_above_follow)
   table.row({"a", std::optional<double>(), 1.0}).row({"b", "", 2.0}).drop_empty_columns();
   ASSERT_EQ(table.columns.size(), 2u);
   EXPECT_EQ(table.rows[1].cells.size(), 2u);
-  EXPECT_EQ(table_json(table)["groups"], Json({{"", 1}, {"Both", 1}}));
+  EXPECT_EQ(table_json(table)["groups"], Json::array({Json::array({"", 1}), Json::array({"Both", 1})}));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/json.h"
+#include "report/page_text.h"
 #include "resultfiles/hdf5/result_tree.h"
 #include "resultfiles/studies/lay_table_writer.h"
 #include "results/check_results.h"
@@ -231,8 +232,8 @@ TEST(lay_table, files_say_the_same_in_csv_workbook_and_summary) {
   EXPECT_EQ(summary["lay_table"]["vary"], "tension");
   const auto book = testing::zip_texts(testing::file_text(folder / "table/lay-table.xlsx"));
   EXPECT_NE(book.at("xl/sharedStrings.xml").find("lay-back [m]"), std::string::npos);
-  const std::string page = testing::file_text(folder / "table/report.html");
-  EXPECT_NE(page.find("data-figure=\"lay_table\""), std::string::npos);
+  const Json body = testing::document_in(testing::file_text(folder / "table/report.html"))["body"];
+  EXPECT_TRUE(testing::panels(body).front().starts_with("lay_table/"));
 }
 
 TEST(lay_table, datasets_have_a_row_for_each_lay_and_nothing_where_there_is_none) {

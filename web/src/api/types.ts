@@ -1,4 +1,5 @@
 // What the program answers; see docs/api.md. SI units, frame W. The types of results are made by the program.
+import type { TableData } from '../components/document';
 import type { Check, DynamicSummary, Finding, Spread, Statics, Vector, Verdict } from './results';
 
 export type * from './results';
@@ -36,7 +37,13 @@ export interface DiskConflict { error: { reason: string }; disk: { name: string;
 export interface Change { path: string; value: unknown }
 
 /** A static state: of the open model with the values tried out, or of a run. */
-export interface Lay extends Statics { status: 'converged' }
+export interface Lay extends Statics {
+  status: 'converged';
+  /** By name; left out while a value is dragged. */
+  tables?: Record<string, TableData>;
+  /** Of a dynamic run beside those of its static state. */
+  run_tables?: Record<string, TableData>;
+}
 
 export interface Converged extends Lay { elapsed_ms: number; solve_ms: number; warm: boolean; revision: number }
 

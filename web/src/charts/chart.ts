@@ -1,11 +1,13 @@
 // One uPlot diagram with marks, levels, a common cursor, zoom by dragging and export.
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
-import { nearest } from '../logic/decimate';
-import { toCsv, toSvg, type Diagram } from '../logic/table';
+import { download } from '../components/download';
+import { csvText } from '../components/tableText';
+import { nearest } from '../logic/series';
 import { axisNames } from '../logic/show';
 import { tidy } from '../logic/units';
-import type { ChartData } from './data';
+import { diagramRows, type ChartData } from './data';
+import { drawing } from './drawing';
 import { drawLevel, nameLevels, nameMarks } from './marks';
 
 export interface ChartHandlers {
@@ -213,35 +215,23 @@ export class Chart {
     this.fill();
   }
 
-  private diagram(): Diagram {
-    const d = this.data!, u = this.plot!;
-    return { title: d.title, xName: d.xName, yName: d.yName, x: d.x, lines: d.lines, low: u.scales.y!.min ?? 0, high: u.scales.y!.max ?? 1, xLow: u.scales.x!.min ?? 0, xHigh: u.scales.x!.max ?? 1 };
-  }
-
   export(kind: 'png' | 'svg' | 'csv'): void {
     if (!this.data || !this.plot) return;
     const name = `${this.data.title.toLowerCase().replace(/[^a-z0-9]+/g, '-')}.${kind}`;
-    if (kind === 'csv') return download(name, new Blob([toCsv(this.diagram())], { type: 'text/csv' }));
-    const svg = toSvg(this.diagram());
-    if (kind === 'svg') return download(name, new Blob([svg], { type: 'image/svg+xml' }));
+    if (kind === 'csv') return download(name, new Blob([csvText(diagramRows(this.data))], { type: 'text/csv' }));
+    const { x, y } = this.plot.scales, shade = this.extra.shade;
+    const { text, width, height } = drawing(this.data, { x: [x!.min ?? 0, x!.max ?? 1], y: [y!.min ?? 0, y!.max ?? 1], shade });
+    if (kind === 'svg') return download(name, new Blob([text], { type: 'image/svg+xml' }));
     // The picture is made of the drawing, so that it has title, units and names like the SVG has.
     const image = new Image();
     image.onload = () => {
       const canvas = document.createElement('canvas');
-      canvas.width = 1800; canvas.height = 840;
-      canvas.getContext('2d')!.drawImage(image, 0, 0, 1800, 840);
+      [canvas.width, canvas.height] = [2 * width, 2 * height];
+      canvas.getContext('2d')!.drawImage(image, 0, 0, canvas.width, canvas.height);
       canvas.toBlob((blob) => { if (blob) download(name, blob); });
     };
-    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg.replace('<svg ', '<svg width="1800" height="840" '))}`;
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
   }
 
   destroy(): void { this.plot?.destroy(); this.plot = null; }
-}
-
-export function download(name: string, blob: Blob): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 5000);
 }

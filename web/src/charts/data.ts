@@ -1,13 +1,15 @@
 // What a diagram along the pipe shows: lists ready to be drawn, in engineering units.
 import type { Check, Envelopes, Lay, LineAtRest, LineParts, RunSummary, Scene, Vector } from '../api/types';
 import { bedHeight } from '../logic/bed';
-import { resample } from '../logic/decimate';
+import { resample } from '../logic/series';
 import { partAt, type PartName } from '../logic/operation';
 import { quantity, shownUnit, unitName } from '../logic/show';
-import type { Line } from '../logic/table';
+
+/** `band`: two of them bound an area, the largest first; `width` -1: bars. */
+export interface Line { name: string; colour: string; values: (number | null)[]; dash?: boolean; band?: boolean; width?: number }
 
 export interface ChartData {
-  title: string; xName: string; yName: string; x: number[]; lines: (Line & { band?: boolean; width?: number })[];
+  title: string; xName: string; yName: string; x: number[]; lines: Line[];
   /** arc length of every x, for the common cursor */
   s: number[];
   /** Boxes: `y` NaN at the lower edge, with `over` the name above the bar of that height. */
@@ -143,6 +145,12 @@ export function reactions(s: Lay, run: RunSummary['dynamic'] | undefined): Chart
     lines: [...(most ? [{ name: 'largest of the run', colour: ink.band, values: most, width: -1 }] : []), { name: most ? 'static' : 'reaction', colour: most ? ink.now : ink.band, values: before, width: -1 }],
     marks: s.supports.map((b, i) => ({ x: metres(b.s), y: Number.NaN, label: b.name, over: Math.max(before[i]!, most?.[i] ?? 0) })), level: [],
   };
+}
+
+/** Rows of a CSV file, the heads with their units first. */
+export function diagramRows({ xName, yName, x, lines }: ChartData): (string | number)[][] {
+  const unit = /\[.*\]/.exec(yName)?.[0] ?? '';
+  return [[xName, ...lines.map(({ name }) => `${name} ${unit}`.trim())], ...x.map((place, i) => [place, ...lines.map(({ values }) => values[i] ?? '')])];
 }
 
 export const colours = ink;

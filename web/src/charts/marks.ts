@@ -8,8 +8,12 @@ const letters = (): string => `${0.85 * Number.parseFloat(getComputedStyle(docum
 
 type Colour = (name: string) => string;
 
-const levelColour = (l: ChartData['level'][number], colour: Colour): string =>
+export const levelColour = (l: ChartData['level'][number], colour: Colour): string =>
   (l.kind === 'water' ? '#4d9cc9' : l.kind === 'limit' ? colour('--bad') : '#a8905a');
+
+/** Lines as a legend names them; largest and least of a band are one. */
+export const shownLines = (data: ChartData): ChartData['lines'] =>
+  data.lines.filter((l) => !l.band || l.name === 'largest').map((l) => (l.band ? { ...l, name: 'minimum to maximum' } : l));
 
 /** Water, seabed, or what is allowed. */
 export function drawLevel(u: uPlot, l: ChartData['level'][number], colour: Colour): void {

@@ -187,7 +187,7 @@ export function Chart(props: ChartProps): VNode {
   return (
     <svg
       viewBox={`0 0 ${frame.width} ${frame.height.toFixed(1)}`}
-      class={props.small ? 'small' : undefined}
+      class={props.small ? 'drawing small' : 'drawing'}
       role={props.interactive ? 'group' : 'img'}
       aria-label={props.title ?? axisLabel(props.y, units)}
     >

@@ -23,8 +23,7 @@ export interface HeatMapProps {
   cells: (HeatCell | null)[][];
   scale: ValueScale;
   width?: number;
-  /** Size of letters and most height of a row, in the units of the width. */
-  letter?: number;
+  /** Most height of a row, in the units of the width. */
   row?: number;
   choose?: (i: number, j: number) => void;
 }
@@ -62,7 +61,8 @@ interface Layout {
   y: (j: number) => number;
 }
 
-function layOut({ title, note, x, y, scale, width = 480, letter = 13, row = 26 }: HeatMapProps): Layout {
+function layOut({ title, note, x, y, scale, width = 480, row = 26 }: HeatMapProps): Layout {
+  const letter = 13;  // that of small drawings
   const values = ticks(scale.low, scale.high, 5);
   const numbers = tickTexts(values).map((text, k) => ({ value: values[k]!, text }));
   const longest = Math.max(...y.words.map((word) => textWidth(shortened(word), letter)));
@@ -171,7 +171,7 @@ export function HeatMap(map: HeatMapProps) {
   const layout = layOut(map);
   const { left, top, wide, tall, letter } = layout;
   return (
-    <svg viewBox={`0 0 ${layout.width} ${layout.height}`} class="small" role={map.choose ? 'group' : 'img'} aria-label={map.label}>
+    <svg viewBox={`0 0 ${layout.width} ${layout.height}`} class="drawing small" role={map.choose ? 'group' : 'img'} aria-label={map.label}>
       <pattern id={hatch} width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
         <line y2="7" stroke="#7b8794" stroke-width="2.4" />
       </pattern>

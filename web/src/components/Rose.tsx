@@ -79,7 +79,7 @@ export function Rose({ label, note, directions, largest, lines }: RoseProps) {
   const room = { entries: lines, left: 70, right: kSize - 16 };
   return (
     <svg
-      viewBox={`0 0 ${kSize} ${kNote + 26 + keyHeight(room) - 6}`} role="img" aria-label={label}
+      viewBox={`0 0 ${kSize} ${kNote + 26 + keyHeight(room) - 6}`} class="drawing" role="img" aria-label={label}
       style={{ minWidth: 0, maxWidth: '760px', margin: '0 auto' }}
     >
       <Grid directions={directions} levels={levels} radius={radius} />

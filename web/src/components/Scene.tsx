@@ -75,7 +75,7 @@ export function Scene({ title, height, azimuth, elevation, build, children }: Sc
   }, [angles, build, height]);
   return (
     <>
-      <svg viewBox={`0 0 ${width} ${height}`} class="rotatable" role="img" aria-label={title} {...handlers}>
+      <svg viewBox={`0 0 ${width} ${height}`} class="drawing rotatable" role="img" aria-label={title} {...handlers}>
         <clipPath id={clip}><rect y={32} width={width} height={height - 32} /></clipPath>
         <rect width={width} height={height} fill="#fff" />
         <g clip-path={`url(#${clip})`}>

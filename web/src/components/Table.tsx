@@ -1,7 +1,11 @@
 // A table from its data. On a page its rows can be sorted and copied; a report has neither.
 import { useState } from 'preact/hooks';
 import type { Cell, Column, RowMark, TableData } from './document';
-import { cellText, nextOrder, rowOrder, tableText, type SortOrder } from './tableText';
+import { download } from './download';
+import { cellText, nextOrder, rowOrder, tableCsv, tableText, type SortOrder } from './tableText';
+
+/** What a click on the name of a row does; `colour`: of a dot in front of the name. */
+export interface RowAction { act: () => void; title: string; chosen?: boolean; colour?: string }
 
 interface Props {
   table: TableData;
@@ -9,6 +13,12 @@ interface Props {
   sortable?: boolean;
   /** A button copies the table as tab-separated text. */
   copyable?: boolean;
+  /** Name of a CSV file without its ending: a button saves the table there. */
+  file?: string;
+  /** By the text in the first cell of a row. */
+  rowAction?: (name: string) => RowAction | undefined;
+  /** Words where the pointer rests on a number. */
+  numberTitle?: (text: string, column: Column) => string;
 }
 
 function classes(...names: (string | false | undefined)[]): string | undefined {
@@ -29,7 +39,7 @@ interface HeadProps { column: Column; order?: 'ascending' | 'descending' | 'none
 function Head({ column, order, onSort }: HeadProps) {
   const title = <ColumnTitle column={column} />;
   return (
-    <th class={column.words ? 't' : undefined} scope="col" aria-sort={order}>
+    <th class={column.words ? 't' : undefined} scope="col" aria-sort={order} title={column.description}>
       {onSort ? <button type="button" class="sort" onClick={onSort}>{title}</button> : title}
     </th>
   );
@@ -43,12 +53,29 @@ function Groups({ groups }: { groups: [string, number][] }) {
   );
 }
 
-function Row({ cells, columns, mark }: { cells: Cell[]; columns: Column[]; mark: RowMark | undefined }) {
+function RowName({ name, action }: { name: string; action: RowAction }) {
   return (
-    <tr class={mark || undefined}>
+    <button type="button" class="linkname" aria-pressed={action.chosen} title={action.title} onClick={action.act}>
+      {action.colour ? <i style={{ background: action.colour }} /> : null}
+      {name}
+    </button>
+  );
+}
+
+interface RowProps { cells: Cell[]; mark: RowMark | undefined; of: Props }
+
+function Row({ cells, mark, of: { table, rowAction, numberTitle } }: RowProps) {
+  const action = rowAction?.(cellText(cells[0], table.columns[0]));
+  return (
+    <tr class={classes(mark, action?.chosen && 'chosen')}>
       {cells.map((cell, i) => {
+        const column = table.columns[i]!, text = cellText(cell, column);
         const verdict = typeof cell === 'object' && cell !== null && cell.verdict.replace(' ', '-');
-        return <td class={classes(columns[i]?.words && 't', verdict)}>{cellText(cell, columns[i])}</td>;
+        return (
+          <td class={classes(column.words && 't', verdict)} title={typeof cell === 'number' ? numberTitle?.(text, column) : undefined}>
+            {i === 0 && action ? <RowName name={text} action={action} /> : text}
+          </td>
+        );
       })}
     </tr>
   );
@@ -60,14 +87,31 @@ function CopyButton({ text }: { text: () => string }) {
   const copy = () => navigator.clipboard.writeText(text()).then(() => setState('copied'), () => setState('not permitted by the browser'));
   const clear = () => setState('');
   return (
-    <span class="copy" onMouseLeave={clear} onBlurCapture={clear}>
-      <button type="button" class="tiny" title="Copy the table as tab-separated text" onClick={copy}>Copy</button>
+    <span onMouseLeave={clear} onBlurCapture={clear}>
       <span role="status">{state}</span>
+      <button type="button" class="tiny" title="Copy the table as tab-separated text" onClick={copy}>copy</button>
     </span>
   );
 }
 
-export function Table({ table, sortable = false, copyable = false }: Props) {
+function Caption({ of: { table, copyable, file }, order }: { of: Props; order: SortOrder | null }) {
+  const save = () => download(`${file}.csv`, new Blob([tableCsv(table, order)], { type: 'text/csv' }));
+  if (!table.title && !copyable && !file) return null;
+  return (
+    <caption>
+      {table.title}
+      {copyable || file ? (
+        <span class="tools">
+          {copyable ? <CopyButton text={() => tableText(table, order)} /> : null}
+          {file ? <button type="button" class="tiny" title="Save the table as CSV" onClick={save}>csv</button> : null}
+        </span>
+      ) : null}
+    </caption>
+  );
+}
+
+export function Table(props: Props) {
+  const { table, sortable } = props;
   const [order, setOrder] = useState<SortOrder | null>(null);
   const sorting = (column: number): HeadProps['order'] => {
     if (order?.column !== column) return 'none';
@@ -76,12 +120,7 @@ export function Table({ table, sortable = false, copyable = false }: Props) {
   return (
     <div class="table">
       <table class={table.look}>
-        {table.title || copyable ? (
-          <caption>
-            {table.title}
-            {copyable ? <CopyButton text={() => tableText(table, order)} /> : null}
-          </caption>
-        ) : null}
+        <Caption of={props} order={order} />
         <thead>
           {table.groups ? <Groups groups={table.groups} /> : null}
           <tr>
@@ -89,13 +128,13 @@ export function Table({ table, sortable = false, copyable = false }: Props) {
               <Head
                 column={column}
                 order={sortable ? sorting(i) : undefined}
-                onSort={sortable ? () => setOrder(nextOrder(order, i)) : undefined}
+                onSort={sortable ? () => setOrder(nextOrder(order, i, column.words)) : undefined}
               />
             ))}
           </tr>
         </thead>
         <tbody>
-          {rowOrder(table, order).map((i) => <Row key={i} cells={table.rows[i]!} columns={table.columns} mark={table.marks?.[i]} />)}
+          {rowOrder(table, order).map((i) => <Row key={i} cells={table.rows[i]!} mark={table.marks?.[i]} of={props} />)}
         </tbody>
       </table>
     </div>

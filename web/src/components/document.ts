@@ -10,9 +10,14 @@ export interface Column {
   digits?: number;
   /** A column of words, set flush left. */
   words?: boolean;
+  /** Name of the quantity, in tables for the page. */
+  key?: string;
+  /** What it is, in tables for the page. */
+  description?: string;
 }
 
-export type RowMark = '' | 'over' | 'soft' | 'total' | 'loaded';
+/** How a row stands out; "reserved" and "limit" on the page alone. */
+export type RowMark = '' | 'over' | 'soft' | 'total' | 'loaded' | 'reserved' | 'limit';
 
 export interface TableData {
   title: string;
@@ -78,6 +83,8 @@ export interface Front {
 
 export interface ReportDocument {
   title: string;
+  /** What it is printed on: A4, or Letter where values are in US customary units. */
+  paper: 'A4' | 'letter';
   front: Front;
   /** Sections, in their order. */
   body: BlockData[];

@@ -17,14 +17,20 @@ export function titleWithUnit(column: Column): string {
   return column.unit ? `${column.title} [${column.unit}]` : column.title;
 }
 
-/** Ascending, descending, as they came. */
-export function nextOrder(order: SortOrder | null, column: number): SortOrder | null {
-  if (order?.column !== column) return { column, descending: false };
-  return order.descending ? null : { column, descending: true };
+/** Largest first, smallest first, as they came; words from A first. */
+export function nextOrder(order: SortOrder | null, column: number, words = false): SortOrder | null {
+  if (order?.column !== column) return { column, descending: !words };
+  return order.descending === words ? null : { column, descending: words };
 }
 
+const isEmpty = (cell: Cell | undefined): boolean => ['', '-'].includes(cellText(cell, undefined));
+
+/** Of some columns the numbers are texts. */
+const numberIn = (cell: Cell | undefined): number => (typeof cell === 'number' ? cell : Number(cellText(cell, undefined)));
+
 function compared(a: Cell | undefined, b: Cell | undefined): number {
-  if (typeof a === 'number' && typeof b === 'number') return a - b;
+  const difference = numberIn(a) - numberIn(b);
+  if (!Number.isNaN(difference)) return difference;
   return cellText(a, undefined).localeCompare(cellText(b, undefined), 'en', { numeric: true });
 }
 
@@ -33,7 +39,7 @@ export function rowOrder(table: TableData, order: SortOrder | null): number[] {
   const indices = table.rows.map((_row, i) => i);
   if (order === null) return indices;
   const cell = (row: number): Cell | undefined => table.rows[row]![order.column];
-  const rank = (row: number): number => (table.marks?.[row] === 'total' ? 2 : cellText(cell(row), undefined) === '' ? 1 : 0);
+  const rank = (row: number): number => (table.marks?.[row] === 'total' ? 2 : isEmpty(cell(row)) ? 1 : 0);
   const direction = order.descending ? -1 : 1;
   return indices.sort((a, b) => rank(a) - rank(b) || (rank(a) === 0 ? direction * compared(cell(a), cell(b)) : a - b));
 }
@@ -49,4 +55,16 @@ export function tableText(table: TableData, order: SortOrder | null = null): str
   const flat = (text: string): string => text.replace(/\s+/g, ' ');
   const rows = rowOrder(table, order).map((row) => table.columns.map((column, i) => cellText(table.rows[row]![i], column)));
   return [fullTitles(table), ...rows].map((cells) => `${cells.map(flat).join('\t')}\n`).join('');
+}
+
+const quoted = (text: string): string => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+
+/** Comma-separated values as in RFC 4180. */
+export const csvText = (rows: (string | number)[][]): string => rows.map((cells) => `${cells.map((cell) => quoted(String(cell))).join(',')}\r\n`).join('');
+
+/** The same of a table, with all decimals that its numbers have. */
+export function tableCsv(table: TableData, order: SortOrder | null = null): string {
+  const text = (cell: Cell | undefined): string | number => (typeof cell === 'number' ? cell : cellText(cell, undefined));
+  const rows = rowOrder(table, order).map((row) => table.columns.map((_column, i) => text(table.rows[row]![i])));
+  return csvText([fullTitles(table), ...rows]);
 }

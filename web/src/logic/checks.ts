@@ -1,5 +1,6 @@
 // Code checks in the order in which they matter.
 import type { Check, SheetLine } from '../api/types';
+import type { SheetLine as DrawnLine } from '../components/document';
 import { display } from './show';
 
 const regions = ['tower', 'overbend', 'stinger tip', 'sagbend', 'seabed', 'line'];
@@ -26,16 +27,19 @@ export const level = (c: Check): 'over' | 'near' | 'good' | 'open' =>
 export const regionName = (region: string): string => (region === 'line' ? 'whole line' : region);
 
 /** Value of a line of a calculation sheet with its unit: "448 MPa". */
-export function sheetValue(line: SheetLine): string {
+function sheetValue(line: SheetLine): string {
   const [unit, factor] = line.units === '1' ? ['', 1] : display(line.units === 'm' ? 'mm' : line.units);
   const value = line.value * factor;
   const text = Number(value.toPrecision(6)).toString();
   return unit ? `${text} ${unit}` : text;
 }
 
-/** What confirms a formula. */
-export function sheetTitle(line: SheetLine): string {
-  if (line.confirmation === 'not needed') return line.origin;
-  const sources = line.sources ? `: ${line.sources}` : '';
-  return line.confirmation === 'unconfirmed' ? `Recalled, not confirmed by a public text${sources}` : `Confirmed by ${line.confirmation}${sources}`;
+function confirmation({ confirmation: kind, sources }: SheetLine): string {
+  if (kind === 'not needed') return '';
+  const of = sources ? `: ${sources}` : '';
+  return kind === 'unconfirmed' ? `Recalled, not confirmed by a public text${of}` : `Confirmed by ${kind}${of}`;
 }
+
+/** A calculation sheet as it is drawn. */
+export const drawnSheet = (lines: readonly SheetLine[]): DrawnLine[] => lines.map((line) => (
+  { ...line, numbers: '', value: sheetValue(line), confirmed: confirmation(line), soft: line.confirmation === 'unconfirmed' }));

@@ -1,6 +1,5 @@
 // Colour maps as short tables of anchor colours, linear in between. All are readable for colour-blind eyes.
-
-export type Rgb = [number, number, number];
+import { readHex, type Rgb } from '../components/colourScale';
 
 const maps = {
   // viridis without its darkest end, which would drown in deep water
@@ -10,12 +9,8 @@ const maps = {
 
 export type MapName = keyof typeof maps;
 
-function parse(hex: string): Rgb {
-  const n = Number.parseInt(hex.slice(1), 16);
-  return [((n >> 16) & 255) / 255, ((n >> 8) & 255) / 255, (n & 255) / 255];
-}
-
-const anchors: Record<MapName, Rgb[]> = { stress: maps.stress.map(parse), load: maps.load.map(parse) };
+const parts = (hex: string): Rgb => readHex(hex).map((v) => v / 255) as Rgb;
+const anchors: Record<MapName, Rgb[]> = { stress: maps.stress.map(parts), load: maps.load.map(parts) };
 
 /** Colour at `t` from 0 to 1, written into `out` (three numbers from 0 to 1) to spare garbage in the drawing loop. */
 export function colourAt(map: MapName, t: number, out: Rgb = [0, 0, 0]): Rgb {

@@ -1,5 +1,6 @@
 // What a lay table asks for and how its curves are drawn; the program makes the table.
-import type { LayTableCurves, LayTableVary } from '../api/types';
+import type { TableData } from '../components/document';
+import type { LayTable, LayTableVary } from '../api/types';
 
 export interface LayTableWish { vary: LayTableVary; from: string; to: string; steps: string }
 
@@ -23,11 +24,16 @@ export function usualRange(vary: LayTableVary, lay: { top_tension: number; lay_b
   return { vary, from, to, steps: '16' };
 }
 
-/** Bounds of a panel, a little wider than its curves. */
-export function bounds(panel: LayTableCurves['panels'][number]): { x: [number, number]; y: [number, number] } {
-  const points = panel.series.flatMap((s) => s.points);
-  const xs = points.map((p) => p[0]), ys = points.map((p) => p[1]).concat(panel.limit === null ? [] : [panel.limit]);
-  const [y0, y1] = [Math.min(...ys), Math.max(...ys)], room = 0.08 * (y1 - y0) || 0.08 * Math.abs(y1) || 1;
-  const [x0, x1] = [Math.min(...xs), Math.max(...xs)];
-  return { x: x0 === x1 ? [x0 - 0.5, x1 + 0.5] : [x0, x1], y: [y0 >= 0 ? Math.max(0, y0 - room) : y0 - room, y1 + room] };
+/** The rows, with those that are limits set apart. */
+export function layRows({ columns, rows }: LayTable): TableData {
+  return {
+    title: 'Lay table',
+    look: 'lay-rows',
+    columns: columns.map(({ heading, digits }, i) => {
+      const [, title = heading, unit] = /^(.*?)(?: \[(.*)\])?$/.exec(heading)!;
+      return { title, unit, digits: Math.min(digits, 4), words: rows.every((row) => typeof row.cells[i] === 'string') };
+    }),
+    rows: rows.map((row) => row.cells.map((cell) => cell ?? '-')),
+    marks: rows.map(({ kind, verdict }) => (kind !== 'step' ? 'limit' : verdict === 'passed' ? '' : verdict === 'reserved' ? 'reserved' : 'over')),
+  };
 }

@@ -1,4 +1,6 @@
 // Hull and mooring lines at rest: where the hull lies, what colour a line has, the table of lines.
+import type { Cell, Column, RowMark, TableData } from '../components/document';
+import { pageUnits } from './show';
 import type { Lay, MooredState, MooringLine, Moorings, Scene, Vector, VesselOffset, MooringInTime } from '../api/types';
 
 /** Pose of the hull that lies `at` from the place in which it is drawn: twelve numbers, as in a scene. */
@@ -69,32 +71,46 @@ export function largestOfRun(lines: readonly MooringLine[], inTime: readonly Moo
 
 export const levelColours: Record<LineLevel, string> = { good: '#2e9e57', near: '#e08a00', over: '#c3271b', unknown: '#5b6b7a', gone: '#a0a8b0' };
 
-export interface Column { key: keyof MooringLine; name: string; words: string; unit: string; title: string; digits: number }
+export interface LineColumn extends Column { key: keyof MooringLine; name: string; factor: number }
 
-/** Columns of the table of lines; units are those in which the page shows SI values. */
-export const lineColumns: readonly Column[] = [
-  { key: 'fairlead_tension', name: 'fairlead', words: 'tension, fairlead', unit: 'N', title: 'Tension at the fairlead', digits: 4 },
-  { key: 'anchor_tension', name: 'anchor', words: 'tension, anchor', unit: 'N', title: 'Tension at the anchor', digits: 4 },
-  { key: 'utilisation', name: 'of MBL', words: 'of breaking load', unit: '%', title: 'Tension at the fairlead over the least breaking load', digits: 3 },
-  { key: 'anchor_utilisation', name: 'of anchor', words: 'of anchor holding', unit: '%', title: 'Tension at the anchor over its holding power', digits: 3 },
-  { key: 'first_segment_length', name: 'out', words: 'out of the winch', unit: 'm', title: 'Unstressed length of the first segment: what the winch has out', digits: 6 },
-  { key: 'on_bed', name: 'on bed', words: 'on the bed', unit: 'm', title: 'Unstressed length on the bed', digits: 4 },
-  { key: 'declination', name: 'down', words: 'below horizontal', unit: 'rad', title: 'Angle of the line below horizontal at the fairlead', digits: 3 },
-  { key: 'anchor_uplift', name: 'uplift', words: 'anchor uplift', unit: 'N', title: 'Vertical force on the anchor', digits: 3 },
-  { key: 'clearance', name: 'clear', words: 'clearance', unit: 'm', title: 'Least distance to the objects on the bed', digits: 4 },
+/** `si`: unit of the values, shown in that of the page; `digits`: decimals of metric values. */
+function column(key: keyof MooringLine, title: string, name: string, si: string, digits: number, description: string): LineColumn {
+  const { name: unit, factor, more } = pageUnits.unit(si);
+  return { key, title, name, unit, factor: si === '%' ? 100 : factor, digits: Math.max(0, digits + more), description };
+}
+
+const lineColumns: readonly LineColumn[] = [
+  column('fairlead_tension', 'fairlead', 'tension, fairlead', 'N', 1, 'Tension at the fairlead'),
+  column('anchor_tension', 'anchor', 'tension, anchor', 'N', 1, 'Tension at the anchor'),
+  column('utilisation', 'of MBL', 'of breaking load', '%', 1, 'Tension at the fairlead over the least breaking load'),
+  column('anchor_utilisation', 'of anchor', 'of anchor holding', '%', 1, 'Tension at the anchor over its holding power'),
+  column('first_segment_length', 'out', 'out of the winch', 'm', 1, 'Unstressed length of the first segment: what the winch has out'),
+  column('on_bed', 'on bed', 'on the bed', 'm', 1, 'Unstressed length on the bed'),
+  column('declination', 'down', 'below horizontal', 'rad', 1, 'Angle of the line below horizontal at the fairlead'),
+  column('anchor_uplift', 'uplift', 'anchor uplift', 'N', 1, 'Vertical force on the anchor'),
+  column('clearance', 'clear', 'clearance', 'm', 1, 'Least distance to the objects on the bed'),
 ];
 
 /** Those that say something about these lines. */
-export const columnsFor = (lines: readonly MooringLine[]): Column[] =>
+export const columnsFor = (lines: readonly MooringLine[]): LineColumn[] =>
   lineColumns.filter((c) => lines.some((l) => (c.key === 'anchor_uplift' ? l.anchor_uplift > 0 : l[c.key] !== null)));
 
-/** `by` null: in the order of the model. What has no value comes last. */
-export function sorted(lines: readonly MooringLine[], by: keyof MooringLine | null, down: boolean): MooringLine[] {
-  if (by === null) return [...lines];
-  const value = (l: MooringLine): number | string => { const v = l[by]; return typeof v === 'string' ? v : typeof v === 'number' && !l.parted ? v : -Infinity; };
-  return [...lines].sort((a, b) => {
-    const x = value(a), y = value(b);
-    const order = typeof x === 'string' ? x.localeCompare(String(y)) : x - (y as number);
-    return down ? -order : order;
-  });
+/** A value as shown; of a line that parted there is none. */
+export function lineCell(line: MooringLine, { key, factor }: LineColumn): Cell {
+  const value = line[key];
+  return line.parted || typeof value !== 'number' ? '-' : value * factor;
+}
+
+const marks: Record<LineLevel, RowMark> = { good: '', near: '', over: 'over', unknown: '', gone: 'soft' };
+
+/** `keys`: columns of the short table that stands beside the picture. */
+export function lineTable(lines: readonly MooringLine[], inTime: boolean, keys?: readonly string[]): TableData {
+  const columns = columnsFor(lines).filter((c) => keys?.includes(c.key) ?? true);
+  return {
+    title: keys ? '' : 'Mooring lines',
+    look: 'moorings',
+    columns: [{ title: 'line', words: true }, ...columns],
+    rows: lines.map((line) => [line.name, ...columns.map((c) => lineCell(line, c))]),
+    marks: lines.map((line) => marks[lineLevel(line, inTime)]),
+  };
 }

@@ -1,7 +1,7 @@
 // How results are shown: names, units and factors from SI come from the program's table of quantities.
 import { quantities as table, shownUnits, type ShownUnit } from '../api/results';
 import { makeUnits } from '../components/units';
-import { tidy } from './units';
+import { tidy, twin } from './units';
 
 /** The system of units of everything shown; the program says it with the page. Typed values keep the unit they have. */
 export const unitSystem: 'metric' | 'us' = typeof document !== 'undefined' && document.documentElement.dataset.units === 'us' ? 'us' : 'metric';
@@ -36,6 +36,12 @@ export const pageUnits = makeUnits((si) => {
 
 /** With so many decimals as a metric value has. */
 export const fixedIn = pageUnits.number;
+
+/** A number with its unit, and in the other system of units. */
+export function withTwin(number: string, unit = ''): string {
+  const shown = `${number} ${unit}`.trimEnd(), other = twin(shown);
+  return other ? `${shown} (${other})` : shown;
+}
 
 export const unitName = (si: string): string => shownUnit(si).unit;
 

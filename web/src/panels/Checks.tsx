@@ -1,12 +1,13 @@
 // Code checks of the live statics, or of the run that is looked at.
 import { useState } from 'preact/hooks';
-import { governing, level, ranked, regionName, sheetTitle, sheetValue } from '../logic/checks';
+import { CalculationSheet } from '../components/CalculationSheet';
+import { drawnSheet, governing, level, ranked, regionName } from '../logic/checks';
 import { tidy } from '../logic/units';
 import { calm, failure } from '../state/live';
 import { cursor } from '../state/look';
 import { stageLay } from '../state/operation';
 import { runChecks, selected } from '../state/runs';
-import type { Check, SheetLine } from '../api/types';
+import type { Check } from '../api/types';
 
 const used = (c: Check): string => (c.utilisation === undefined ? '–' : tidy(c.utilisation, 3));
 
@@ -22,19 +23,6 @@ function Governing({ check }: { check: Check }) {
   );
 }
 
-/** Formulas with the numbers that the check has used, in SI units. */
-function Sheet({ lines }: { lines: readonly SheetLine[] }) {
-  return (
-    <table class="sheet"><tbody>{lines.map((line) => (
-      <tr key={line.symbol} class={line.confirmation === 'unconfirmed' ? 'open' : ''} title={sheetTitle(line)}>
-        <td>{line.symbol}<small>{line.meaning}</small></td>
-        <td>{line.formula}<small>{line.origin}</small></td>
-        <td>{sheetValue(line)}</td>
-      </tr>
-    ))}</tbody></table>
-  );
-}
-
 function Row({ check }: { check: Check }) {
   const [open, setOpen] = useState(false);
   const title = `${check.code} ${check.clause}${check.remark ? `: ${check.remark}` : ''}`;
@@ -46,7 +34,7 @@ function Row({ check }: { check: Check }) {
         <td>{used(check)}</td>
         <td>{check.governing ? check.status : 'information'}</td>
       </tr>
-      {open ? <tr><td colSpan={3}><Sheet lines={check.sheet} /></td></tr> : null}
+      {open ? <tr><td colSpan={3}><CalculationSheet lines={drawnSheet(check.sheet)} /></td></tr> : null}
     </>
   );
 }

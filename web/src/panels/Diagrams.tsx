@@ -3,6 +3,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import { Chart } from '../charts/chart';
 import { along, colours, lineShape, lineTension, reactions, shape, type ChartData } from '../charts/data';
+import { shownLines } from '../charts/marks';
 import { display, quantities, quantity } from '../logic/show';
 import { onLines } from '../logic/views';
 import { columnName } from '../logic/tensioner';
@@ -13,7 +14,7 @@ import { cursor, slots, theme } from '../state/look';
 import { active, seek, time } from '../state/animation';
 import { calmState, chosenLine } from '../state/moorings';
 import { columns, envelopes, fetchSeries, runChecks, runName, runSummary, selected } from '../state/runs';
-import { nearest } from '../logic/decimate';
+import { nearest } from '../logic/series';
 
 const width = signal(innerWidth);
 addEventListener('resize', () => { width.value = innerWidth; });
@@ -73,14 +74,13 @@ function useHistory(what: string, zoom: [number, number] | null, pixels: number)
   return data;
 }
 
-/** What the lines are, where there are several; least and greatest of a band are one. */
 function Legend({ data }: { data: ChartData }) {
-  const band = data.lines.some((l) => l.band);
   if (data.lines.length < 2) return null;
-  const shown = data.lines.filter((l) => !l.band || l.name === 'largest');
   return (
     <ul class="chartlegend" aria-label="Lines">
-      {shown.map((l) => <li key={l.name}><i class={l.band ? 'band' : l.width === -1 ? 'barkey' : l.dash ? 'dashed' : ''} style={{ '--line': l.colour }} />{l.band && band ? 'minimum to maximum' : l.name}</li>)}
+      {shownLines(data).map((l) => (
+        <li key={l.name}><i class={l.band ? 'band' : l.width === -1 ? 'barkey' : l.dash ? 'dashed' : ''} style={{ '--line': l.colour }} />{l.name}</li>
+      ))}
     </ul>
   );
 }

@@ -4,7 +4,9 @@ import { useState } from 'preact/hooks';
 import { ApiError, address, post } from '../api/client';
 import type { LayTable, LayTableAnswer, LayTableVary } from '../api/types';
 import { LayTableCharts } from '../components/LayTableCharts';
-import { rangeOf, usualRange, wishFault, type LayTableWish } from '../logic/laytable';
+import { Table } from '../components/Table';
+import { layRows, rangeOf, usualRange, wishFault, type LayTableWish } from '../logic/laytable';
+import { withTwin } from '../logic/show';
 import { bullets } from '../logic/findings';
 import { byPath, opened, revision } from '../state/model';
 import { calmLay } from '../state/shown';
@@ -19,29 +21,6 @@ effect(() => { void opened.value; table.value = null; wish.value = null; });
 
 const usual = (vary: LayTableVary): LayTableWish => usualRange(vary, calmLay.value?.key ?? null, byPath.value.get('environment.water_depth')?.si ?? null);
 
-const unitOf = (heading: string): [string, string] => { const m = /^(.*) \[(.*)\]$/.exec(heading); return m ? [m[1]!, m[2]!] : [heading, '']; };
-
-function cell(value: string | number | null, digits: number): string {
-  return typeof value === 'number' ? value.toFixed(Math.min(digits, 4)) : value ?? '–';
-}
-
-function Rows({ of }: { of: LayTable }) {
-  return (
-    <div class="laytable-rows">
-      <table class="minmax" aria-label="Lay table">
-        <thead><tr>{of.columns.map((c) => { const [name, unit] = unitOf(c.heading); return <th key={c.heading} scope="col">{name}{unit ? <><br /><small>{unit}</small></> : null}</th>; })}</tr></thead>
-        <tbody>
-          {of.rows.map((row, i) => (
-            <tr key={i} class={`${row.verdict === 'passed' ? '' : row.verdict === 'reserved' ? 'reserved' : 'over'} ${row.kind === 'step' ? '' : 'limit'}`}>
-              {row.cells.map((value, k) => <td key={k} class={typeof value === 'number' ? '' : 'plain'}>{cell(value, of.columns[k]!.digits)}</td>)}
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </div>
-  );
-}
-
 /** In the colours of the page, light or dark. */
 const look = { curves: ['var(--pipe)', '#e07b1a'], limit: 'var(--bad)', passing: 'var(--range)' };
 
@@ -53,7 +32,7 @@ function Made({ of }: { of: LayTable }) {
         <a class="button" href={address('lay-table.xlsx')} download="lay-table.xlsx">Workbook (XLSX)</a>
       </div>
       <Findings list={bullets(of.findings, [])} />
-      <Rows of={of} />
+      <Table table={layRows(of)} sortable copyable numberTitle={(number, { unit }) => withTwin(number, unit)} />
       <p class="brief">{of.curves.axis}; shaded where the lay passes.</p>
       <div class="laycurves drawn"><LayTableCharts table={of.curves} look={look} width={340} /></div>
     </>

@@ -76,7 +76,7 @@ export function CaseMap(drawn: Drawn) {
   return (
     <div class="matrix drawn">
       <HeatMap
-        label={`${name} over ${x.key} and ${y.key}`} width={kWide} letter={12} x={axis(x)} y={axis(y)} scale={valueScale(values, resultLimit(name))}
+        label={`${name} over ${x.key} and ${y.key}`} width={kWide} x={axis(x)} y={axis(y)} scale={valueScale(values, resultLimit(name))}
         cells={cells.map((row, j) => row.map((cell, i) => (
           { value: cell.value, state: cell.state, title: describe(drawn, cell, i, j), chosen: isChosen(cell, chosen) })))}
         choose={(i, j) => choose(cells[j]![i]!)}

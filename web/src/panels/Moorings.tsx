@@ -1,63 +1,37 @@
 // Where the hull lies on its moorings, its natural periods, the lines; and lines by themselves.
-import { signal } from '@preact/signals';
 import type { LineAtRest, MooringLine, VesselOffset } from '../api/types';
-import { columnsFor, levelColours, lineLevel, sorted, type Column } from '../logic/moorings';
-import { display, numberIn, unitName } from '../logic/show';
-import { tidy, twin } from '../logic/units';
+import { Table } from '../components/Table';
+import { cellText } from '../components/tableText';
+import { columnsFor, levelColours, lineCell, lineLevel, lineTable } from '../logic/moorings';
+import { display, numberIn, unitName, withTwin } from '../logic/show';
+import { tidy } from '../logic/units';
 import { failure } from '../state/live';
-import { picked } from '../state/look';
-import { aloneInTime, calmState, chosenLine, linesOfRun, planShown, stage } from '../state/moorings';
+import { aloneInTime, calmState, chooseLine, chosenLine, linesOfRun, planShown, stage } from '../state/moorings';
 import { calmLay, ofRun } from '../state/shown';
 import { MooringsInTime } from './MooringsInTime';
 
-const order = signal<{ by: keyof MooringLine | null; down: boolean }>({ by: null, down: true });
-
-const value = (l: MooringLine, c: Column): string => {
-  const v = l[c.key];
-  if (l.parted || typeof v !== 'number') return '–';
-  return c.unit === '%' ? tidy(100 * v, c.digits) : tidy(v * display(c.unit)[1], c.digits);
-};
-
-/** The value with its unit, and in the other system of units. */
-function inWords(l: MooringLine, c: Column): string {
-  const unit = c.unit === '%' ? '%' : display(c.unit)[0], text = `${value(l, c)} ${unit}`;
-  const other = twin(text);
-  return `${c.title}: ${text}${other ? ` (${other})` : ''}`;
-}
-
-const choose = (name: string): void => {
-  const off = chosenLine.value === name;
-  chosenLine.value = off ? null : name;
-  picked.value = off ? null : { kind: 'line', name };
-};
-
-function Heads({ columns }: { columns: Column[] }) {
-  const { by, down } = order.value;
-  const turn = (key: keyof MooringLine): void => { order.value = by === key ? (down ? { by: key, down: false } : { by: null, down: true }) : { by: key, down: key !== 'name' }; };
-  const head = (key: keyof MooringLine, name: string, title: string, unit = '') => (
-    <th key={key} scope="col" aria-sort={by === key ? (down ? 'descending' : 'ascending') : 'none'}>
-      <button type="button" title={`${title}. Sort by it`} onClick={() => turn(key)}>{name}{by === key ? (down ? ' ▾' : ' ▴') : ''}{unit ? <small>{unit}</small> : null}</button>
-    </th>
-  );
-  return <thead><tr>{head('name', 'line', 'Name of the line')}{columns.map((c) => head(c.key, c.name, c.title, c.unit === '%' ? '%' : display(c.unit)[0]))}</tr></thead>;
-}
+const short = ['fairlead_tension', 'utilisation', 'on_bed'];
 
 /** The lines of the state shown; `wide`: every column that says something. */
-export function MooringTable({ lines, wide, inTime }: { lines: readonly MooringLine[]; wide?: boolean; inTime?: boolean }) {
-  const all = columnsFor(lines);
-  const columns = wide ? all : all.filter((c) => ['fairlead_tension', 'utilisation', 'on_bed'].includes(c.key));
+export function MooringTable({ lines, wide, inTime = false }: { lines: readonly MooringLine[]; wide?: boolean; inTime?: boolean }) {
+  const action = (name: string) => {
+    const line = lines.find((l) => l.name === name)!;
+    return {
+      act: () => chooseLine(name),
+      title: line.parted ? 'Parted' : line.slack ? 'Slack' : 'Show this line',
+      chosen: chosenLine.value === name,
+      colour: levelColours[lineLevel(line, inTime)],
+    };
+  };
   return (
-    <table class="moorings" aria-label="Mooring lines">
-      <Heads columns={columns} />
-      <tbody>
-        {sorted(lines, order.value.by, order.value.down).map((l) => (
-          <tr key={l.name} class={`${lineLevel(l, inTime)}${chosenLine.value === l.name ? ' chosen' : ''}`}>
-            <th scope="row"><button type="button" class="linkname" aria-pressed={chosenLine.value === l.name} title={l.parted ? 'Parted' : l.slack ? 'Slack' : 'Show this line'} onClick={() => choose(l.name)}><i style={{ background: levelColours[lineLevel(l, inTime)] }} />{l.name}</button></th>
-            {columns.map((c) => <td key={c.key} title={inWords(l, c)}>{value(l, c)}</td>)}
-          </tr>
-        ))}
-      </tbody>
-    </table>
+    <Table
+      table={lineTable(lines, inTime, wide ? undefined : short)}
+      sortable
+      copyable={wide}
+      file={wide ? 'mooring-lines' : undefined}
+      rowAction={action}
+      numberTitle={(number, column) => `${column.description}: ${withTwin(number, column.unit)}`}
+    />
   );
 }
 
@@ -116,7 +90,7 @@ export function LineValues({ name }: { name: string }) {
   if (moored) {
     return (
       <dl class="values"><div class="kv"><dt>{name}</dt><dd>{moored.slack ? 'slack' : ''}</dd></div>
-        {columnsFor([moored]).map((c) => <div key={c.key} class="kv"><dt>{c.words}</dt><dd>{value(moored, c)} <small>{c.unit === '%' ? '%' : display(c.unit)[0]}</small></dd></div>)}
+        {columnsFor([moored]).map((c) => <div key={c.key} class="kv"><dt>{c.name}</dt><dd>{cellText(lineCell(moored, c), c)} <small>{c.unit}</small></dd></div>)}
         <div class="kv"><dt>length</dt><dd>{numberIn(moored.length, 'm', 6)} <small>{unitName('m')}</small></dd></div></dl>
     );
   }
@@ -146,7 +120,7 @@ export function LineTable({ lines }: { lines: readonly LineAtRest[] }) {
     <section class="moored" aria-label="Lines">
       {lines.map((l) => (
         <div key={l.name}>
-          <h3><button type="button" class="linkname" aria-pressed={chosenLine.value === l.name} onClick={() => choose(l.name)}>{l.name}</button></h3>
+          <h3><button type="button" class="linkname" aria-pressed={chosenLine.value === l.name} onClick={() => chooseLine(l.name)}>{l.name}</button></h3>
           <dl>
             {rows.map(([name, text, unit]) => <div key={name} class="kv" title={unit === 'N' ? 'Effective tension at rest' : ''}><dt>{unit === 'N' ? `tension, ${name}` : name}</dt><dd>{text(l)} <small>{unitName(unit)}</small></dd></div>)}
             {moved(l.name).map(([name, least, largest]) => <div key={`${name} in time`} class="kv" title="Effective tension over the run"><dt>in time, {name}</dt><dd>{numberIn(least, 'N')} to {numberIn(largest, 'N')} <small>{unitName('N')}</small></dd></div>)}

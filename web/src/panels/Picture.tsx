@@ -2,7 +2,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { computed, effect, signal } from '@preact/signals';
 import { css, niceRange } from '../logic/colour';
-import { nearest } from '../logic/decimate';
+import { nearest } from '../logic/series';
 import { numberIn, quantities, quantity, text, unitName } from '../logic/show';
 import { tidy } from '../logic/units';
 import { dragging, roundTrip } from '../state/live';

@@ -4,7 +4,7 @@ import type { MooringLine, Scene } from '../api/types';
 import { levelColours, lineLevel, poseAt, sceneAt } from '../logic/moorings';
 import { alongLine, around, ellipse, flat, labelAt, outline, pipeTrack, scaleLength } from '../logic/plan';
 import { shownUnit, text } from '../logic/show';
-import { download } from '../charts/chart';
+import { download } from '../components/download';
 import { calmState, chosenLine, linesOfRun, stage } from '../state/moorings';
 import { offsetsInTime, type OffsetsInTime } from '../state/offsets';
 import { calmLay, shownDrawn, shownScene } from '../state/shown';

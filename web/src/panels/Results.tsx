@@ -13,6 +13,7 @@ import { LineTable, MooringResults } from './Moorings';
 import { Sensitivities } from './Sensitivities';
 import { SeekButton } from './SeekDialog';
 import { Findings } from './Findings';
+import { Tables } from './Tables';
 
 /** `result`: its path in summary.json, of a value that can be sought. */
 export function Value({ name, value, unit, title, result }: { name: string; value: number | null | undefined; unit: string; title?: string; result?: string }) {
@@ -72,6 +73,7 @@ export function Results() {
       <MooringResults />
       <LineTable lines={s.lines} />
       <Findings list={[...ofModel, ...bullets(s.findings, s.supports.map((b) => b.name))]} />
+      <Tables lay={s} />
     </section>
   );
 }

@@ -10,6 +10,7 @@ import { FatigueResults } from './FatigueResults';
 import { LineTable, MooringResults } from './Moorings';
 import { Findings } from './Findings';
 import { VerdictCard } from './Results';
+import { Tables } from './Tables';
 
 interface Row { name: string; unit: string; before: number | null | undefined; over: Spread | null | undefined }
 
@@ -130,6 +131,7 @@ export function RunResults() {
       {verdict && verdict.kind !== 'not judged' ? <VerdictCard verdict={verdict} /> : null}
       {loading ? <p class="brief">Loading…</p> : <><Table /><Extremes /><FatigueResults /><MooringResults /><LineTable lines={calmLay.value?.lines ?? []} /></>}
       <Findings list={bullets(said, boxes)} />
+      {loading || !ofRun.value ? null : <Tables lay={calmLay.value} />}
       {run.parent ? <button type="button" class="back" onClick={() => select(run.parent!)}>Back to the study</button> : null}
       <button type="button" class="back" onClick={() => select(null)}>Back to the model</button>
     </section>

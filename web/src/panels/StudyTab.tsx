@@ -1,7 +1,7 @@
 // The tab of studies: keys that change together or against each other, and what is computed of every case.
 import { useState } from 'preact/hooks';
 import { ApiError } from '../api/client';
-import { download } from '../charts/chart';
+import { download } from '../components/download';
 import { variableKeys } from '../logic/seek';
 import { axisCount, caseCount, firstAxis, studyFault, studyYaml, type AxisWish, type StudyWish } from '../logic/studies';
 import { changes } from '../state/live';

@@ -24,7 +24,7 @@ export function Page({ report, data, units }: Props) {
   return (
     <UnitsContext.Provider value={shown}>
       <FigureContext.Provider value={NumberedFigure}>
-        <PageMargins front={report.front} />
+        <PageMargins report={report} />
         <main>
           <FrontPage front={report.front} body={report.body} />
           <div class="sections">

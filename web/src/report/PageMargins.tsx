@@ -1,7 +1,7 @@
-import type { Front } from '../components/document';
+import type { ReportDocument } from '../components/document';
 import { marginStyle } from './margins';
 
-/** A style element that writes title, number and date into the margins of printed pages. */
-export function PageMargins({ front }: { front: Front }) {
-  return <style>{marginStyle(front)}</style>;
+/** A style element with the size of printed pages, and title, number and date in their margins. */
+export function PageMargins({ report }: { report: ReportDocument }) {
+  return <style>{marginStyle(report)}</style>;
 }

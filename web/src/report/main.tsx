@@ -4,6 +4,7 @@ import type { ReportDocument, ShownUnits } from '../components/document';
 import { openWhilePrinting } from '../components/Folded';
 import { Page } from './Page';
 import './report.css';
+import '../components/chart.css';
 
 function readJson<T>(id: string): T {
   return JSON.parse(document.getElementById(id)!.textContent!) as T;

@@ -1,5 +1,5 @@
-// What the margins of printed pages say: the report's title, number, kind and date.
-import type { Front } from '../components/document';
+// What the margins of printed pages say: the report's title, number, kind and date; and what they are printed on.
+import type { Front, ReportDocument } from '../components/document';
 
 const look = 'font: 8pt Arial, "Liberation Sans", sans-serif; color: #5b6b7a;';
 
@@ -18,9 +18,9 @@ export function documentNumber(control: Front['control']): string {
   return [entry(control, 'Document'), revision && `rev. ${revision}`].filter(Boolean).join(', ');
 }
 
-export function marginStyle(front: Front): string {
+export function marginStyle({ front, paper }: Pick<ReportDocument, 'front' | 'paper'>): string {
   const number = documentNumber(front.control);
   const box = (place: string, text: string): string => `@${place} { content: ${cssString(text)}; ${look} } `;
   const written = [front.kind, entry(front.entries, 'Written')].filter(Boolean).join(', ');
-  return `@page { ${box('top-left', number || front.title)}${box('top-right', number ? front.title : front.kind)}${box('bottom-left', written)}}`;
+  return `@page { size: ${paper}; ${box('top-left', number || front.title)}${box('top-right', number ? front.title : front.kind)}${box('bottom-left', written)}}`;
 }

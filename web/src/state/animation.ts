@@ -3,7 +3,7 @@ import { effect, signal, untracked } from '@preact/signals';
 import { get } from '../api/client';
 import type { Series } from '../api/types';
 import { blend, decode, linesBetween, type Chunk, type FramesAnswer } from '../logic/frames';
-import { indexBefore } from '../logic/decimate';
+import { indexBefore } from '../logic/series';
 import { columns, fetchSeries, selected } from './runs';
 import { sayError } from './notices';
 

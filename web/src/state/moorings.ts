@@ -2,6 +2,7 @@
 import { computed, effect, signal, untracked } from '@preact/signals';
 import type { MooredState, MooringLine } from '../api/types';
 import { largestOfRun, stateOf } from '../logic/moorings';
+import { picked } from './look';
 import { opened } from './model';
 import { runSummary, selectedId } from './runs';
 import { calmLay, shownLay } from './shown';
@@ -11,6 +12,13 @@ export const stage = signal(-1);
 /** Name of the line that is looked at. */
 export const chosenLine = signal<string | null>(null);
 export const planShown = signal(false);
+
+/** A second choice of the same line ends it. */
+export function chooseLine(name: string): void {
+  const off = chosenLine.value === name;
+  chosenLine.value = off ? null : name;
+  picked.value = off ? null : { kind: 'line', name };
+}
 
 export const mooredState = computed<MooredState | null>(() => { const m = shownLay.value?.moorings; return m ? stateOf(m, stage.value) : null; });
 /** The same, at the pace of panels. */

@@ -1,6 +1,7 @@
 // The pipe: a tube with its true radius, drawn thicker only where it would be thinner than a few pixels on the screen.
 import * as THREE from 'three';
-import { colourAt, type MapName, type Rgb } from '../logic/colour';
+import type { Rgb } from '../components/colourScale';
+import { colourAt, type MapName } from '../logic/colour';
 import type { PartName } from '../logic/operation';
 import { tube, tubeIndices, type Tube } from '../logic/tube';
 

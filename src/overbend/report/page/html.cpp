@@ -14,21 +14,21 @@ std::string element(const char* name, const std::string& content) {
   return fmt::format("<{0}>{1}</{0}>\n", name, content);
 }
 
-std::string text_of(const Json& block, const char* key) {
+std::string escaped(const Json& block, const char* key) {
   return escape(block.value(key, std::string()));
 }
 
 std::string cell(const Json& column, const Json& value) {
   if (value.is_number()) return fixed(value.get<double>(), column.value("digits", 3));
-  if (value.is_object()) return text_of(value, "text");
+  if (value.is_object()) return escaped(value, "text");
   return value.is_string() ? escape(value.get<std::string>()) : "";
 }
 
 std::string head_row(const Json& columns) {
   std::string cells;
   for (const Json& column : columns) {
-    const std::string unit = column.contains("unit") ? " [" + text_of(column, "unit") + "]" : "";
-    cells += "<th>" + text_of(column, "title") + unit + "</th>";
+    const std::string unit = column.contains("unit") ? " [" + escaped(column, "unit") + "]" : "";
+    cells += "<th>" + escaped(column, "title") + unit + "</th>";
   }
   return element("tr", cells);
 }
@@ -41,7 +41,7 @@ std::string table(const Json& block) {
     for (std::size_t i = 0; i < row.size(); ++i) cells += "<td>" + cell(columns[i], row[i]) + "</td>";
     rows += element("tr", cells);
   }
-  return fmt::format("<table border=\"1\"><caption>{}</caption>\n{}</table>\n", text_of(block, "title"), rows);
+  return fmt::format("<table border=\"1\"><caption>{}</caption>\n{}</table>\n", escaped(block, "title"), rows);
 }
 
 std::string pairs(const Json& entries) {
@@ -55,8 +55,8 @@ std::string pairs(const Json& entries) {
 std::string tile_list(const Json& tiles) {
   std::string items;
   for (const Json& tile : tiles) {
-    items += element("li", fmt::format("{}: {} {} ({})", text_of(tile, "name"), text_of(tile, "value"),
-                                       text_of(tile, "unit"), text_of(tile, "note")));
+    items += element("li", fmt::format("{}: {} {} ({})", escaped(tile, "name"), escaped(tile, "value"),
+                                       escaped(tile, "unit"), escaped(tile, "note")));
   }
   return element("ul", items);
 }
@@ -68,8 +68,8 @@ std::string one_block(const Json& block) {
   if (kind == "table") return table(block);
   if (kind == "tiles") return tile_list(block.at("tiles"));
   if (kind == "entries") return pairs(block.at("entries"));
-  if (kind == "paragraph" || kind == "remark") return element("p", text_of(block, "text"));
-  if (kind == "subheading") return element("h3", text_of(block, "text"));
+  if (kind == "paragraph" || kind == "remark") return element("p", escaped(block, "text"));
+  if (kind == "subheading") return element("h3", escaped(block, "text"));
   if (kind == "group") return blocks(block.at("body"));
   if (kind != "list") return "";
   std::string items;
@@ -86,19 +86,19 @@ std::string blocks(const Json& body) {
 std::string findings(const Json& all) {
   std::string items;
   for (const Json& finding : all) {
-    items += element("li", fmt::format("{}: {} ({})", text_of(finding, "severity"), text_of(finding, "text"),
-                                       text_of(finding, "code")));
+    items += element("li", fmt::format("{}: {} ({})", escaped(finding, "severity"), escaped(finding, "text"),
+                                       escaped(finding, "code")));
   }
   return items.empty() ? "" : element("h2", "Findings") + element("ul", items);
 }
 
 std::string front(const Json& page) {
-  std::string text = element("p", text_of(page, "kind")) + element("h1", text_of(page, "title"));
+  std::string text = element("p", escaped(page, "kind")) + element("h1", escaped(page, "title"));
   if (page.contains("control")) text += pairs(page.at("control"));
   text += pairs(page.at("entries"));
   if (page.contains("verdict")) {
     const Json& verdict = page.at("verdict");
-    text += element("h2", text_of(verdict, "words")) + element("p", text_of(verdict, "because"));
+    text += element("h2", escaped(verdict, "words")) + element("p", escaped(verdict, "because"));
   }
   return text + findings(page.at("findings"));
 }
@@ -156,7 +156,7 @@ std::string plain(const Document& document) {
   std::string text = element("p", "Figures and the other sections of this report need scripts, which are off.") +
                      front(document.front);
   for (const Json& section : document.body.json()) {
-    if (is_key_section(section)) text += element("h2", text_of(section, "heading")) + blocks(section.at("body"));
+    if (is_key_section(section)) text += element("h2", escaped(section, "heading")) + blocks(section.at("body"));
   }
   return text;
 }

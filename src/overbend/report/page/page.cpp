@@ -31,7 +31,10 @@ std::string data_slot(const char* id, const Json& data) {
 }
 
 Json document_json(const Document& document) {
-  return {{"title", document.title}, {"front", document.front}, {"body", document.body.json()}};
+  return {{"title", document.title},
+          {"paper", units_in_use() == UnitSystem::us ? "letter" : "A4"},
+          {"front", document.front},
+          {"body", document.body.json()}};
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ export function widened([lo, hi]: Range, decimal: number): [number, number] {
 }
 
 /** Index of the first value of an ascending list that is not below `value`. */
-export function lowerBound(list: readonly number[], value: number): number {
+export function lowerBound(list: ArrayLike<number>, value: number): number {
   let [first, last] = [0, list.length];
   while (first < last) {
     const middle = (first + last) >> 1;

@@ -156,7 +156,7 @@ function StageKeys({ stages }: { stages: StagesData }): VNode {
           </button>
         ))}
       </div>
-      <p class="stage-told">{current === null ? 'Point at a line or choose a stage to read its values.' : describeStage(stages, current, units)}</p>
+      <p class="stage-values">{current === null ? 'Point at a line or choose a stage to read its values.' : describeStage(stages, current, units)}</p>
     </>
   );
 }
