@@ -123,7 +123,7 @@ Blocks extreme_remarks(const DynamicResults& r, bool of_moorings) {
     }
   }
   Blocks remarks;
-  for (const auto& [remark, names] : reasons) remarks += block::remark(names + ": " + remark + ".");
+  for (const auto& [remark, names] : reasons) remarks += block::remark(fmt::format("{}: {}.", names, remark));
   return remarks;
 }
 

@@ -261,11 +261,13 @@ Blocks study_cases_section(const StudyResults& results) {
   for (std::size_t i = 0; i < std::min(results.cases.size(), kMostRows); ++i) {
     const StudyCase& row = results.cases[i];
     std::vector<TableCell> cells = {row.number};
-    for (std::size_t k = 0; k < results.inputs.size(); ++k)
+    for (std::size_t k = 0; k < results.inputs.size(); ++k) {
       cells.emplace_back(k < row.words.size() ? row.words[k] : "-");
+    }
     if (seeds) cells.push_back(row.seed ? TableCell(*row.seed) : "-");
-    for (std::size_t k = 0; k < results.outputs.size(); ++k)
+    for (std::size_t k = 0; k < results.outputs.size(); ++k) {
       cells.emplace_back(value_words(results.outputs[k], row, k));
+    }
     cells.emplace_back(result_words(row));
     table.row(cells, row.state == StudyCaseState::open ? RowMark::soft : row.passed() ? RowMark::none : RowMark::over);
   }

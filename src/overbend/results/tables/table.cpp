@@ -121,8 +121,8 @@ Table Table::with_columns(const std::vector<std::string_view>& keys) const {
 
 Table& Table::drop_empty_columns() {
   for (std::size_t i = columns.size(); i-- > 0;) {
-    if (!std::all_of(rows.begin(), rows.end(), [i](const TableRow& row) { return says_nothing(row.cells[i]); }))
-      continue;
+    const auto empty_there = [i](const TableRow& row) { return says_nothing(row.cells[i]); };
+    if (!std::all_of(rows.begin(), rows.end(), empty_there)) continue;
     columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(i));
     for (TableRow& row : rows) row.cells.erase(row.cells.begin() + static_cast<std::ptrdiff_t>(i));
   }

@@ -117,8 +117,9 @@ std::variant<NewLay, std::string> choose_lay(const NewOptions& options) {
       lay.model.departure_angle = objections.top_inclination;
       lay.text = model_text(lay.model);
     }
-    if (objections.passed())
+    if (objections.passed()) {
       return tower_stands(lay.model) ? std::variant<NewLay, std::string>(lay) : leaning(lay.model);
+    }
     against = objections.words();
     if (!objections.no_solution.empty() || !mend(margins, objections, free)) break;
   }
