@@ -38,6 +38,7 @@ TEST(unit_lines, of_moorings_and_stages_are_customary_where_that_is_asked_for) {
   expect_us(text);
   EXPECT_TRUE(has(text, fmt::format("{:.2f}", tension / 4448.2216152605)));
   EXPECT_TRUE(has(text, "Tension kip"));
+  EXPECT_TRUE(has(text, " parted\n")) << text;
   expect_us(moored_dynamics_lines(moved));
   const std::string heads = stage_heads(OperationType::abandonment);
   expect_us(heads);

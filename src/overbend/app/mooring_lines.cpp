@@ -23,9 +23,10 @@ std::string state_lines(const MooredState& state) {
     text += fmt::format("  thrust ahead {}, to port {}, bow to port {}\n", shown(state.thrust[0], "N", 1),
                         shown(state.thrust[1], "N", 1), shown(state.thrust[2], "N m", 1));
   }
-  return text + table_text(moorings_at_rest(state.moorings)
-                               .with_columns({"name", "fairlead_tension", "length", "on_bed", "anchor_tension",
-                                              "utilisation", "anchor_utilisation", "clearance"}));
+  return text +
+         table_text(moorings_at_rest(state.moorings)
+                        .with_columns({"name", "fairlead_tension", "length", "on_bed", "anchor_tension", "utilisation",
+                                       "anchor_utilisation", "clearance", "nearest_object", "remark"}));
 }
 
 }  // namespace

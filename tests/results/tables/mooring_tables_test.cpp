@@ -39,15 +39,15 @@ TEST(mooring_tables, leave_out_what_no_line_has) {
   }
 }
 
-TEST(mooring_tables, say_nothing_of_a_parted_line_but_its_length) {
+TEST(mooring_tables, say_of_a_parted_line_that_it_is_and_nothing_else_but_its_length) {
   MooringLineResult line = line_named("S1");
   line.length = 1000.0;
   line.parted = true;
   const Table table = moorings_at_rest({line});
   EXPECT_EQ(table.rows[0].mark, RowMark::soft);
-  EXPECT_EQ(table_text(table.with_columns({"name", "length", "fairlead_tension"})),
+  EXPECT_EQ(table_text(table.with_columns({"name", "length", "fairlead_tension", "remark"})),
             "  Line  Length m  Tension kN\n"
-            "  S1     1000.00           -\n");
+            "  S1     1000.00           -  parted\n");
 }
 
 TEST(mooring_tables, events_stand_in_the_order_of_time) {

@@ -25,7 +25,7 @@ inline TableColumn field_column(const ResultField& field, TableFields which, boo
   TableColumn column(std::string(which == TableFields::files ? field.heading : field.shown_title()));
   if (number) {
     const ShownUnit unit = shown_unit(field);
-    column = {column.title, unit, field.decimals.value_or(unit.digits - unit.more)};
+    column = {column.title, unit, which == TableFields::people ? *field.decimals : unit.digits - unit.more};
   }
   column.key = field.name;
   column.description = field.description;

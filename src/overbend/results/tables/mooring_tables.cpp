@@ -69,7 +69,7 @@ Table moorings_at_rest(const std::vector<MooringLineResult>& lines) {
     visit_mooring_use(line, visit);
   });
   table.look = "dense summary";
-  table.column(TableColumn("to")).column(TableColumn(""));
+  table.column(keyed("nearest_object", TableColumn("to"))).column(keyed("remark", TableColumn("")));
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const MooringLineResult& line = lines[i];
     TableRow& row = table.rows[i];
