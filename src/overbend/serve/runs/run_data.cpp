@@ -70,9 +70,13 @@ Json envelopes_json(const std::filesystem::path& h5) {
 
 Json run_statics_json(const std::filesystem::path& h5) {
   Json answer = {{"status", "converged"}};
-  const StaticResults statics = read_static_results(h5).results;
-  answer.update(static_json(statics));
-  if (has_dynamic(h5)) answer["run_tables"] = tables_json(dynamic_tables(statics, read_dynamic_results(h5).results));
+  if (!has_dynamic(h5)) {
+    answer.update(static_json(read_static_results(h5).results));
+    return answer;
+  }
+  const StoredDynamics stored = read_dynamic_results(h5);
+  answer.update(static_json(stored.statics.results));
+  answer["run_tables"] = tables_json(dynamic_tables(stored.statics.results, stored.results));
   return answer;
 }
 
