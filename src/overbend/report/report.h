@@ -28,7 +28,7 @@ Document report_document(const StaticResults& results, const std::string& model_
 /// Of a dynamic run: its own results first, then the static state that it starts from.
 Document report_document(const StaticResults& statics, const DynamicResults& results, const std::string& model_text);
 
-/// Writes the report to `file`, beside it first and then renamed. Throws std::runtime_error where that fails.
+/// Writes the report to a temporary file and renames it to `file`. Throws std::runtime_error where that fails.
 void write_report(const StaticResults& results, const std::string& model_text, const std::filesystem::path& file,
                   const StaticExtras& extras = {});
 void write_report(const StaticResults& statics, const DynamicResults& results, const std::string& model_text,

@@ -59,8 +59,9 @@ Blocks fatigue_section(const StaticResults& statics, const DynamicResults& resul
   const FatigueResults& fatigue = *results.fatigue;
   const std::string note = fmt::format(
       "Budget {:.3g} with a design fatigue factor of {:.3g}; mean lay speed {}/h. The stress range is the nominal one "
-      "that gives the same damage at the rate of cycles beside it. Damage on the way and rates are without the design "
-      "fatigue factor; the standby is what a weld at the worst place has left beside its way from the tensioner to the "
+      "that gives the same damage at the rate of cycles in the next column. Damage on the way and rates are without "
+      "the design "
+      "fatigue factor; the standby is what a weld at the worst place has left after its way from the tensioner to the "
       "bed, in the sea of this run.",
       fatigue.budget, fatigue.design_factor, shown(kHour * fatigue.lay_rate, "m", 1));
   std::vector<std::string> parts = {"whole"};

@@ -53,7 +53,8 @@ Blocks damping_table(const std::vector<ModeDampingResult>& modes) {
   }
   return Blocks(table.drop_empty_columns()) +
          block::remark(
-             "Each mode alone on the stiffness of the moorings. Radiation: of the fitted memory, beside it that of the "
+             "Each mode alone on the stiffness of the moorings. Radiation: of the fitted memory, next to it that of "
+             "the "
              "hydrodynamic file at the same period. The drag of the mooring lines and the friction of the seabed damp "
              "besides and are not included.");
 }

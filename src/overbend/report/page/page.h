@@ -21,7 +21,7 @@ struct Document {
 /// The file's text. Readers without scripts see first page, key results and checks as plain tables.
 std::string page_text(const Document& document);
 
-/// Writes beside the file first and then renames. Throws std::runtime_error where that fails.
+/// Writes a temporary file and renames it. Throws std::runtime_error where that fails.
 void write_page(const Document& document, const std::filesystem::path& file);
 
 /// "2026-11-21 14:30 UTC"

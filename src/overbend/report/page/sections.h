@@ -33,7 +33,7 @@ Blocks lay_setting_section(const StaticResults& results, const std::optional<Des
 Blocks support_table(const StaticResults& results);
 /// Rollers one by one, for the appendix.
 Blocks rollers_section(const StaticResults& results);
-/// What is built into the pipe, and the pipe beside it; empty without any.
+/// What is built into the pipe, and the pipe next to it; empty without any.
 Blocks structures_section(const StaticResults& results);
 /// Clumps, buoys and wires on the pipe; empty without any.
 Blocks attachments_section(const StaticResults& results);

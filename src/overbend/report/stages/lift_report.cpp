@@ -152,8 +152,8 @@ std::vector<std::string> line_names(const OperationResults& results) {
 }
 
 /// One curve for every stage, of a line by its name.
-std::vector<ChartCurve> curves_of(const OperationResults& results, const std::string& name,
-                                  const std::function<std::pair<double, double>(const LiftedNode&)>& point) {
+std::vector<ChartCurve> line_curves(const OperationResults& results, const std::string& name,
+                                    const std::function<std::pair<double, double>(const LiftedNode&)>& point) {
   std::vector<ChartCurve> curves;
   for_stages(results, [&](const std::string& title, const LiftResults& lift) {
     for (const LiftedLine& line : lift.lines) {
@@ -180,11 +180,11 @@ Blocks figures(const OperationResults& results, const std::optional<Description>
     CurveChart moments, tensions;
     moments.across = tensions.across = name_with_unit("Arc length", "m");
     moments.up = name_with_unit("Bending moment, sagging positive", "N m");
-    moments.curves = curves_of(results, name, [&](const LiftedNode& node) {
+    moments.curves = line_curves(results, name, [&](const LiftedNode& node) {
       return std::pair{length * node.at.arc_length, moment * node.sagging};
     });
     tensions.up = name_with_unit("Effective tension", "N");
-    tensions.curves = curves_of(results, name, [&](const LiftedNode& node) {
+    tensions.curves = line_curves(results, name, [&](const LiftedNode& node) {
       return std::pair{length * node.at.arc_length, force * node.tension};
     });
     blocks += curve_figure(moments, name + ": bending moment in the vertical plane") +
