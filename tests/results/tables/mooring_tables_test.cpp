@@ -33,7 +33,9 @@ TEST(mooring_tables, at_rest_have_the_columns_that_the_fields_of_a_line_describe
 }
 
 TEST(mooring_tables, leave_out_what_no_line_has) {
-  const std::vector<std::string> all = keys(moorings_at_rest({line_named("S1")}));
+  MooringLineResult parted = line_named("S2");
+  parted.parted = true;
+  const std::vector<std::string> all = keys(moorings_at_rest({line_named("S1"), parted}));
   for (const char* absent : {"utilisation", "anchor_utilisation", "clearance"}) {
     EXPECT_EQ(std::ranges::count(all, absent), 0) << absent;
   }

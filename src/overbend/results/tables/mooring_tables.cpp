@@ -17,6 +17,13 @@ bool is_over(const std::optional<double>& use, const std::optional<double>& anch
   return use.value_or(0.0) > 1.0 || anchor_use.value_or(0.0) > 1.0;
 }
 
+/// Numbers that mean nothing any more, from a column on; what is empty stays so.
+void dash_numbers(TableRow& row, std::size_t from) {
+  for (std::size_t i = from; i < row.cells.size(); ++i) {
+    if (std::holds_alternative<double>(row.cells[i])) row.cells[i] = "-";
+  }
+}
+
 /// Of quantities that waves and slow drift move together, each in its own unit.
 Table motion_table(const std::string& title) {
   Table table{title, {TableColumn("Motion"), TableColumn("Unit")}, "dense summary"};
@@ -73,7 +80,7 @@ Table moorings_at_rest(const std::vector<MooringLineResult>& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const MooringLineResult& line = lines[i];
     TableRow& row = table.rows[i];
-    if (line.parted) std::fill(row.cells.begin() + 2, row.cells.end(), "-");
+    if (line.parted) dash_numbers(row, 2);
     row.cells.emplace_back(line.nearest_object);
     row.cells.emplace_back(remark(line));
     row.mark = is_over(line.utilisation, line.anchor_utilisation) ? RowMark::over
