@@ -69,7 +69,8 @@ TEST(lift_study, of_a_pull_gathers_the_largest_of_its_stages) {
   const Scratch scratch;
   scratch.write("pull.yaml", testing::file_text(OVERBEND_SOURCE_DIR "/validation/operation_cases/SP12.yaml"));
   StudyReading reading = read_study_text(
-      "overbend_study: 1\nbase: pull.yaml\naxes: [{key: operation.cable.friction, values: ['0.4', '0.5']}]\n",
+      "overbend_study: 1\nbase: pull.yaml\naxes: [{key: environment.seabed.friction.axial, values: ['0.40', "
+      "'0.45']}]\n",
       scratch.file("study.yaml"));
   for (const std::string& line : reading.diagnostics.lines(Severity::error)) ADD_FAILURE() << line;
   const CaseBase base(std::move(reading.base.value()), std::move(reading.study.value()));
@@ -79,9 +80,10 @@ TEST(lift_study, of_a_pull_gathers_the_largest_of_its_stages) {
   run_study_cases(base, cases, scratch.file("out"), {2, false}, watch);
   const StudyResults results = study_so_far(scratch.file("out"));
   ASSERT_EQ(results.outputs.front().name, "max(operation.stages[*].tension.winch)");
-  // SP12, last stage, known to 0.2 %; less friction of the cable takes less pull.
+  // SP12, last stage, known to 0.2 %. The pipe lies on the bed there, the cable does not: friction of the cable would
+  // change nothing.
   EXPECT_NEAR(results.cases.at(1).values.front().value(), 473970.448, 0.002 * 473970.448);
-  EXPECT_LT(results.cases.at(0).values.front().value(), results.cases.at(1).values.front().value());
+  EXPECT_LT(results.cases.at(0).values.front().value(), 0.95 * results.cases.at(1).values.front().value());
 }
 
 }  // namespace
