@@ -135,6 +135,20 @@ TEST(serve_limits, a_long_solution_keeps_no_other_tab_waiting) {
   EXPECT_FALSE(waited);
 }
 
+TEST(serve_limits, a_newer_request_ends_a_probe) {
+  // Thousands of elements take a second or more.
+  const std::string coarse = "overbend_element: 2.5 m, touchdown_element: 4 m, longest_element: 8 m";
+  const Serving serving(
+      with(kSmallLay, coarse, "overbend_element: 20 mm, touchdown_element: 20 mm, longest_element: 40 mm"));
+  Json probe;
+  std::thread background([&] { probe = serving.post("/api/static", {{"full", true}, {"probe", true}}).json; });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const Json invalid = {{"changes", {{{"path", "tensioner.tension"}, {"value", "2 m"}}}}};
+  EXPECT_EQ(serving.post("/api/static", invalid).json["status"], "invalid");
+  background.join();
+  EXPECT_EQ(probe["status"], "overtaken");
+}
+
 TEST(serve_limits, changes_of_a_long_text_keep_no_other_tab_waiting) {
   const Serving serving(kSmallLay);
   put(serving, with_boxes(900));

@@ -107,6 +107,14 @@ TEST(serve_model, a_model_is_saved_and_opened_by_its_bare_name_alone) {
   EXPECT_EQ(serving.post("/api/model/open", {{"name", "none.yaml"}}).status, 404);
 }
 
+TEST(serve_model, a_text_that_is_again_that_of_its_file_is_saved) {
+  const Serving serving(kSmallLay);
+  EXPECT_EQ(serving.put("/api/model", {{"text", kSmallLay + "# changed\n"}, {"revision", 1}}).json["saved"], false);
+  EXPECT_EQ(serving.put("/api/model", {{"text", kSmallLay}, {"revision", 2}}).json["saved"], true);
+  const Json unnamed = {{"text", kSmallLay}, {"revision", 3}, {"name", ""}};
+  EXPECT_EQ(serving.put("/api/model", unnamed).json["saved"], false);
+}
+
 TEST(serve_model, an_example_opens_without_a_fault_and_with_its_data) {
   const Serving serving;
   const Json info = serving.get("/api/info").json;

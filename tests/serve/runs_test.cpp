@@ -1,4 +1,6 @@
 // Runs: queued, followed, stopped, read.
+#include <cmath>
+
 #include "resultfiles/dynamic/dynamic_reader.h"
 #include "serve/http/base64.h"
 #include "serve/runs/run_data.h"
@@ -32,6 +34,47 @@ TEST(serve_runs, a_static_run_leaves_the_files_of_the_command) {
   EXPECT_EQ(envelopes["z"].size(), envelopes["s"].size());
 }
 
+TEST(serve_runs, the_spectrum_of_a_sine_has_its_variance_and_its_frequency) {
+  // 40 periods of 8 s and amplitude 3, every half second, after a build-up that does not count.
+  constexpr double kPeriod = 8.0, kAmplitude = 3.0, kStep = 0.5;
+  std::vector<double> time, values;
+  for (int i = -100; i < 40 * 16; ++i) {
+    time.push_back(i * kStep);
+    values.push_back(i < 0 ? 1e6 : 7.0 + kAmplitude * std::sin(2.0 * 3.14159265358979 * i * kStep / kPeriod));
+  }
+  const Json spectrum = spectrum_json(time, values);
+  const std::vector<double> frequency = spectrum["frequency"], density = spectrum["density"];
+  ASSERT_EQ(frequency.size(), density.size());
+  double integral = 0.0;
+  std::size_t peak = 0;
+  for (std::size_t i = 0; i < density.size(); ++i) {
+    integral += density[i] * frequency[1];
+    if (density[i] > density[peak]) peak = i;
+  }
+  EXPECT_NEAR(integral, 0.5 * kAmplitude * kAmplitude, 0.01);
+  EXPECT_NEAR(frequency[peak], 1.0 / kPeriod, frequency[1]);
+  EXPECT_NEAR(spectrum["std"].get<double>(), kAmplitude / std::sqrt(2.0), 1e-6);
+  EXPECT_TRUE(spectrum_json({}, {})["frequency"].empty());
+}
+
+TEST(serve_runs, a_run_says_in_which_keys_the_open_model_differs_from_its_own) {
+  const Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "static"}});
+  serving.wait_for(id);
+  const std::string path = "/api/runs/" + id + "/changes";
+  EXPECT_EQ(serving.get(path).json["changed"], "");
+  const Json model = serving.get("/api/model").json;
+  serving.put("/api/model", {{"text", with(kSmallLay, "hs: 1 m", "hs: 1.5 m")}, {"revision", model["revision"]}});
+  EXPECT_EQ(serving.get(path).json["changed"], "environment.waves.hs 1.5 m");
+  EXPECT_EQ(serving.get("/api/runs/none/changes").status, 404);
+
+  const Json changed = serving.get("/api/model").json;
+  serving.put("/api/model", {{"text", with(with(kSmallLay, "title: small lay", "title: other"), "build_up: 5 s,",
+                                           "build_up: 5 s, seeds: 3,")},
+                             {"revision", changed["revision"]}});
+  EXPECT_EQ(serving.get(path).json["changed"], "");  // neither name nor seeds change what the run has computed
+}
+
 TEST(serve_runs, a_run_in_time_comes_to_its_end_and_can_be_read) {
   const Serving serving(kSmallLay);
   const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 6.0}});
@@ -49,6 +92,8 @@ TEST(serve_runs, a_run_in_time_comes_to_its_end_and_can_be_read) {
   EXPECT_EQ(all["series"]["top_tension"]["t"].size(), 5u);  // every half second from 0 to 2
   EXPECT_TRUE(all["series"].contains("support/ramp 1/reaction"));
   EXPECT_EQ(serving.get(at + "/series?name=nothing").status, 404);
+  EXPECT_EQ(serving.get(at + "/spectrum?name=nothing").status, 404);
+  EXPECT_GT(serving.get(at + "/spectrum?name=top_tension").json["frequency"].size(), 100u);
 
   const Json envelopes = serving.get(at + "/envelopes").json;
   EXPECT_EQ(envelopes["von_mises"]["max"].size(), envelopes["s"].size());
@@ -153,6 +198,21 @@ TEST(serve_runs, a_run_says_what_was_changed_since_the_one_before_of_the_same_ti
   EXPECT_NE(said.find("vessel.trim 0.1 deg"), std::string::npos) << said;
   serving.restart("model.yaml");  // it is kept with the run
   EXPECT_EQ(serving.wait_for(id)["changed"], said);
+}
+
+TEST(serve_runs, a_run_shows_its_verdict_and_the_model_with_which_it_was_started) {
+  const Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "static"}});
+  const Json run = serving.wait_for(id);
+  const Json summary = serving.get("/api/runs/" + id + "/summary").json;
+  EXPECT_EQ(run["verdict"]["kind"], summary["verdict"]["kind"]);
+  EXPECT_NEAR(run["utilisation"].get<double>(), summary["checks"]["worst"]["utilisation"].get<double>(), 1e-6);
+  const Json before = serving.get("/api/model").json;
+  const Json changes = Json::array({{{"path", "tensioner.tension"}, {"value", "1 kN"}}});
+  serving.post("/api/model/set", {{"changes", changes}, {"revision", before["revision"]}});
+  const Json model = serving.get("/api/runs/" + id + "/model").json;
+  EXPECT_EQ(model["text"], before["text"]);
+  EXPECT_EQ(model["fields"], before["fields"]);
 }
 
 TEST(serve_runs, a_run_that_goes_on_is_not_removed) {

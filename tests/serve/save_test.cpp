@@ -51,6 +51,19 @@ TEST(serve_save, the_version_of_the_answer_or_force_overwrite) {
   EXPECT_EQ(file_text(serving.folder / "model.yaml"), kMine);
 }
 
+TEST(serve_save, the_file_is_seen_to_change) {
+  const Serving serving(kSmallLay);
+  const Json known = serving.get("/api/model").json["disk"];
+  EXPECT_EQ(serving.get("/api/model/disk").json["version"], known);
+  write_file(serving.folder / "model.yaml", kTheirs);
+  const Json changed = serving.get("/api/model/disk").json["version"];
+  EXPECT_TRUE(changed.is_string());
+  EXPECT_NE(changed, known);
+  EXPECT_EQ(serving.get("/api/model").json["disk"], known);
+  std::filesystem::remove(serving.folder / "model.yaml");
+  EXPECT_EQ(serving.get("/api/model/disk").json["version"], nullptr);
+}
+
 TEST(serve_save, the_version_goes_with_the_model) {
   const Serving serving(kSmallLay);
   const Json first = serving.get("/api/model").json["disk"];

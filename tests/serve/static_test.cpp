@@ -78,6 +78,17 @@ TEST(serve_static, a_lay_in_a_current_is_that_of_a_run_once_a_value_rests) {
   EXPECT_EQ(told(dragged), 1);
 }
 
+TEST(serve_static, a_probe_gives_the_same_state_and_leaves_the_start_of_the_next_request) {
+  const Serving serving(kSmallLay);
+  const Json probe = {{"probe", true}, {"lists", Json::array()}};
+  const Json far = serving.post("/api/static", probe).json;
+  ASSERT_EQ(far["status"], "converged") << far;
+  EXPECT_NEAR(far["key"]["top_tension"].get<double>(), 300e3, kTension);
+  EXPECT_TRUE(far["verdict"]["kind"].is_string());
+  EXPECT_EQ(serving.post("/api/static", Json::object()).json["warm"], false);  // nothing to start from yet
+  EXPECT_EQ(serving.post("/api/static", probe).json["warm"], true);
+}
+
 TEST(serve_static, a_case_without_solution_says_what_where_and_why) {
   const Serving serving(kSmallLay);
   const Reply reply = serving.post("/api/static", change("tensioner.tension", "2 kN"));

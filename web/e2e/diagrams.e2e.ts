@@ -1,7 +1,7 @@
 // Diagrams keep the stretch that is looked at when their results are refreshed.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { solved, start, type Bench } from './harness';
+import { runStorm, solved, start, tryValue, type Bench } from './harness';
 
 let bench: Bench;
 let page: Page;
@@ -24,7 +24,7 @@ async function zoom(slot: number): Promise<[number, number]> {
 test('while a value is dragged, and after it is applied', async () => {
   const whole = await ends(0), near = await zoom(0);
   expect(near[1] - near[0]).toBeLessThan(0.5 * (whole[1] - whole[0]));
-  await page.locator('#s-tension').evaluate((el) => { const input = el as HTMLInputElement; input.value = '300'; input.dispatchEvent(new Event('input', { bubbles: true })); });
+  await tryValue(page, 'tension', 300);
   await page.waitForTimeout(600);
   expect(await ends(0)).toEqual(near);
   await page.click('text=Apply to model');
@@ -38,18 +38,16 @@ test('while a value is dragged, and after it is applied', async () => {
 
 test('of a run in time, also when more of it arrives', async () => {
   await page.click('[aria-label=Undo]'); // its machine does not reach 300 kN
-  await page.click('#tab-runs');
-  await page.fill('#run-duration', '20 s');
-  await page.click('text=Start run');
-  await expect.poll(() => page.locator('.runlist').innerText(), { timeout: 60_000 }).toMatch(/done/);
-  await page.selectOption('[aria-label="Diagram 2"]', 'history:top_tension');
+  await solved(page);
+  const id = await runStorm(bench, page, 20);
+  await page.selectOption('[aria-label="History 2"]', 'top_tension');
   await page.waitForTimeout(1200);
   const whole = await ends(1), near = await zoom(1);
   expect(near[1] - near[0]).toBeLessThan(0.5 * (whole[1] - whole[0]));
   await page.waitForTimeout(1500); // the stretch is fetched again, finer
   expect(await ends(1)).toEqual(near);
-  await page.fill('[aria-label="Name of the run"]', 'looked at');
-  await page.keyboard.press('Enter');
+  expect((await bench.api(`runs/${id}/annotate`, { method: 'POST', body: JSON.stringify({ name: 'looked at' }) })).status).toBe(200);
+  await page.locator('.right h3', { hasText: 'looked at' }).waitFor({ timeout: 20_000 });
   await page.waitForTimeout(800);
   expect(await ends(1)).toEqual(near);
 });

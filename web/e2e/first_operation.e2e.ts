@@ -24,11 +24,11 @@ async function make(answers: Record<string, string>): Promise<void> {
 }
 
 async function stages(offer: string): Promise<{ z: number[]; rows: number; failed: number }> {
-  await page.click('#tab-operation');
+  await page.click('#workspace-operation');
   await page.click(`.offers >> text=${offer}`);
-  await page.click('text=Solve all stages');
+  await page.click('.opstrip button.main');
   await page.locator('table.stages tbody tr').first().waitFor({ timeout: 60_000 });
-  const heads = await page.locator('table.stages thead th').allInnerTexts();
+  const heads = await page.locator('table.stages thead tr').last().locator('th').allInnerTexts();
   const column = heads.findIndex((h) => h.startsWith('head z'));
   const cells = await page.locator('table.stages tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => (cell as HTMLElement).innerText.trim())));
   return { z: cells.filter((r) => r.length === heads.length).map((r) => Number(r[column])), rows: cells.length, failed: await page.locator('table.stages tr.gone').count() };
@@ -56,11 +56,20 @@ test('a start-up solves at every stage as well', async () => {
   expect([rows, failed]).toEqual([7, 0]);
 });
 
+test('a pull to a winch on the seabed solves at every stage', async () => {
+  await make({ pipe: '16', depth: '90 m', lay: 's' });
+  const { rows, failed } = await stages('Shore pull');
+  expect([rows, failed]).toEqual([9, 0]);
+});
+
 test('without a solution of the lay none is made up', async () => {
   await make({ pipe: '16', depth: '90 m', lay: 's' });
-  await page.locator('#s-tension').evaluate((el) => { const input = el as HTMLInputElement; input.value = '200'; input.dispatchEvent(new Event('input', { bubbles: true })); });
+  const { revision } = await (await bench.api('model')).json() as { revision: number };
+  await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'tensioner.tension', value: '2 kN' }], revision }) });
+  await page.waitForSelector('.status.bad');
+  await page.click('#workspace-operation');
   await page.click('.offers >> text=Abandonment');
-  await expect.poll(() => page.locator('.notices').innerText()).toMatch(/No operation was added.*sliders/);
+  await expect.poll(() => page.locator('.notices').innerText()).toMatch(/No operation was added/);
   expect(await page.locator('table.stages').count()).toBe(0);
 });
 

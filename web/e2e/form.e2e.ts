@@ -1,9 +1,9 @@
-// The form: motion of the vessel, what a sea asks for, faults that name their key and lead there.
+// Properties of objects: motion of the vessel, what a sea asks for, faults that name their key and lead there.
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { solved, start, type Bench } from './harness';
+import { goTo, openField, selectObject, solved, start, type Bench } from './harness';
 
 let bench: Bench;
 let page: Page;
@@ -18,6 +18,7 @@ const put = async (next: string): Promise<void> => {
 const id = (path: string): string => `[id="f-${path}"]`;
 
 test('motion is chosen: harmonic, fixed, a file of the folder, a file of this machine', async () => {
+  await selectObject(page, 'vessel');
   const kind = page.locator('#motion-kind');
   expect(await kind.inputValue()).toBe('raos');
   await kind.selectOption('harmonic');
@@ -75,13 +76,14 @@ test('a new model offers motion and waves without being searched', async () => {
   const before = await text();
   await put(before.replace(/\n *motion:.*/, '').replace(/\n *waves:(.*\n)( {4,}.*\n)*/, '\n'));
   await expect.poll(() => page.locator('#motion-kind').inputValue()).toBe('');
+  await selectObject(page, 'environment');
   await expect.poll(() => page.locator('[data-path="environment.waves"] .fold').first().isVisible()).toBe(true);
   await put(before);
   await solved(page);
 });
 
 test('a spectrum always shows Hs and Tp, a regular wave its height and period', async () => {
-  await page.selectOption(id('environment.waves.type'), 'airy');
+  await (await openField(page, 'environment.waves.type')).selectOption('airy');
   await page.waitForSelector(id('environment.waves.height'));
   await put((await text()).replace(/\n *hs:.*|\n *tp:.*/g, '').replace(/, hs: [^,}]*|, tp: [^,}]*/g, ''));
   await expect.poll(() => page.locator(id('environment.waves.hs')).count()).toBe(0);
@@ -96,7 +98,7 @@ test('a spectrum always shows Hs and Tp, a regular wave its height and period', 
 });
 
 test('a value out of its range is refused at its field, in words', async () => {
-  await page.fill(id('tensioner.tension'), '-5 kN');
+  await (await openField(page, 'tensioner.tension')).fill('-5 kN');
   await page.keyboard.press('Enter');
   const row = page.locator('.row.wrong', { has: page.locator(id('tensioner.tension')) });
   await row.waitFor();
@@ -105,11 +107,11 @@ test('a value out of its range is refused at its field, in words', async () => {
   await bench.shot(page, 'range-fault');
 });
 
-test('a fault leads to its field, wherever the form stands', async () => {
-  await page.locator('.form h3 button', { hasText: 'tensioner' }).click(); // folded away
+test('a fault leads to its field, whatever is selected in whatever workspace', async () => {
+  await selectObject(page, 'pipe');
   await expect.poll(() => page.locator(id('tensioner.tension')).count()).toBe(0);
-  await page.click('#tab-runs');
-  expect(await page.locator('.startrun .fault').innerText()).toMatch(/tensioner\.tension/);
+  await goTo(page, 'storm');
+  expect(await page.locator('.strip').innerText()).toMatch(/error[\s\S]*tensioner/);
   await page.click('header .status.bad');
   await page.waitForFunction(() => document.activeElement?.id === 'f-tensioner.tension');
   await page.keyboard.type('250');
@@ -119,21 +121,10 @@ test('a fault leads to its field, wherever the form stands', async () => {
   expect(await page.locator(id('tensioner.tension')).inputValue()).toBe('250 kN');
 });
 
-test('a text that cannot be read leads to its line in the editor', async () => {
-  const good = await text();
-  await put(good.replace('tensioner:', 'tensioner: ['));
-  await page.waitForSelector('header .status.bad');
-  await page.click('header .status.bad');
-  await page.waitForFunction(() => document.activeElement?.classList.contains('cm-content'));
-  await put(good);
-  await solved(page);
-  await page.click('#tab-form');
-});
-
-test('a number without unit takes the unit that stood there, in the dialogue as in the form', async () => {
-  await page.fill(id('environment.water_depth'), '300 ft');
+test('a number without unit takes the unit that stood there, in the dialogue as among the properties', async () => {
+  await (await openField(page, 'environment.water_depth')).fill('300 ft');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => (document.querySelector('[id="f-environment.water_depth"] + .twin') as HTMLElement).innerText === '91.44 m');
+  await page.waitForFunction(() => (document.querySelector('[id="f-environment.water_depth"] ~ .twin') as HTMLElement).innerText === '91.44 m');
   await page.fill(id('environment.water_depth'), '290');
   await page.keyboard.press('Enter');
   await expect.poll(text).toContain('water_depth: 290 ft');

@@ -1,7 +1,7 @@
 // What carries the pipe: a seabed with shape, a route that bends, a stinger on a hinge.
 import { expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { reading, solved, start, type Bench } from './harness';
+import { reading, showTab, solved, start, type Bench } from './harness';
 
 async function opened(model: string, look: (page: Page, bench: Bench) => Promise<void>, size = { width: 1280, height: 720 }): Promise<void> {
   const bench = await start(model);
@@ -18,7 +18,7 @@ async function opened(model: string, look: (page: Page, bench: Bench) => Promise
 for (const [name, size] of Object.entries({ wide: { width: 1600, height: 900 }, middle: { width: 1024, height: 700 }, phone: { width: 390, height: 800 } })) {
   test(`free spans over a trench and a sleeper are listed, ${name}`, async () => {
     await opened('uneven-seabed.yaml', async (page, bench) => {
-      if (name !== 'wide') await page.locator('button', { hasText: /^Results$/ }).first().click();
+      await showTab(page, 'ground');
       const laid = page.locator('section[aria-label="Laid pipe"]');
       await expect.poll(() => laid.locator('tbody tr').count()).toBe(3);
       expect(await laid.locator('caption').innerText()).toBe('3 free spans');
@@ -31,6 +31,7 @@ for (const [name, size] of Object.entries({ wide: { width: 1600, height: 900 }, 
 
 test('the route says which radius friction holds', async () => {
   await opened('curved_route.yaml', async (page, bench) => {
+    await showTab(page, 'ground');
     expect(await reading(page, 'radius of the route')).toBe(1500);
     expect(await reading(page, 'friction holds')).toBeCloseTo(1116, -1);
     await page.locator('section[aria-label="Lay route"]').scrollIntoViewIfNeeded();
@@ -40,6 +41,7 @@ test('the route says which radius friction holds', async () => {
 
 test('a stinger on a hinge says its angle and can be sought', async () => {
   await opened('floating_stinger.yaml', async (page, bench) => {
+    await showTab(page, 'stinger');
     expect(Math.abs(await reading(page, 'stinger angle'))).toBeLessThan(15);
     expect(await reading(page, 'hinge force')).toBeGreaterThan(0);
     expect(await page.locator('.kv', { hasText: 'stinger angle' }).locator('.make').count()).toBe(1);

@@ -5,7 +5,7 @@ import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, write
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { chromium, type Browser, type Page } from 'playwright-core';
+import { chromium, type Browser, type Locator, type Page } from 'playwright-core';
 import { preview, type PreviewServer } from 'vite';
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -17,10 +17,12 @@ export interface Bench {
   folder: string;
   address: string;
   api: (path: string, options?: RequestInit) => Promise<Response>;
-  /** `prepare` is done before the page is asked for. */
-  open: (size?: { width: number; height: number }, prepare?: (page: Page) => Promise<void>) => Promise<Page>;
+  /** `zoom`: of the browser, with the size in its pixels; `prepare` is done before the page is asked for. */
+  open: (size?: { width: number; height: number; zoom?: number }, prepare?: (page: Page) => Promise<void>) => Promise<Page>;
   shot: (page: Page, name: string) => Promise<void>;
   complaints: string[];
+  /** Ends the program, and leaves the page. */
+  halt: () => Promise<void>;
   stop: () => Promise<void>;
 }
 
@@ -72,11 +74,17 @@ export async function start(model?: string, edit: Record<string, string> = {}, f
   const browser: Browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'], env: fontEnvironment(fonts) });
   const complaints: string[] = [];
   const token = own.searchParams.get('token')!;
+  const halt = async (): Promise<void> => {
+    if (child.exitCode !== null) return;
+    const gone = new Promise((done) => child.once('exit', done));
+    child.kill('SIGINT');
+    await gone;
+  };
   return {
-    folder, address, complaints,
+    folder, address, complaints, halt,
     api: (path, options = {}) => fetch(`${own.origin}/api/${path}`, { ...options, headers: { 'X-Overbend-Token': token, ...options.headers } }),
-    open: async (size = { width: 1280, height: 720 }, prepare) => {
-      const context = await browser.newContext({ viewport: size, acceptDownloads: true });
+    open: async ({ zoom = 1, ...size } = { width: 1280, height: 720 }, prepare) => {
+      const context = await browser.newContext({ viewport: size, deviceScaleFactor: zoom, acceptDownloads: true });
       const page = await context.newPage();
       page.on('console', (m) => { if (m.type() === 'error') complaints.push(`${m.text()} ${m.location().url.replace(/token=\w+/, '')}`); });
       page.on('pageerror', (e) => complaints.push(e.message));
@@ -89,7 +97,7 @@ export async function start(model?: string, edit: Record<string, string> = {}, f
     stop: async () => {
       await browser.close();
       await server?.close();
-      if (child.exitCode === null) { const gone = new Promise((done) => child.once('exit', done)); child.kill('SIGINT'); await gone; }
+      await halt();
       if (existsSync(outer)) rmSync(outer, { recursive: true, force: true });
     },
   };
@@ -98,9 +106,80 @@ export async function start(model?: string, edit: Record<string, string> = {}, f
 /** What the live statics say in the header. */
 export const solved = (page: Page): Promise<unknown> => page.waitForSelector('.status.good', { timeout: 30_000 });
 
+/** First number of a result: of the column at rest in the table of key results, else of a list in the dock. */
 export async function reading(page: Page, name: string): Promise<number> {
-  const text = await page.locator('.results .kv', { hasText: name }).first().locator('dd').innerText();
-  return Number.parseFloat(text);
+  const row = page.locator('.keyresults .kv, .dock .kv', { hasText: name }).first();
+  return Number.parseFloat(await row.locator('td, dd').first().innerText());
+}
+
+export const workspaces = ['lay', 'operation', 'storm', 'study', 'runs', 'report'] as const;
+export type Workspace = (typeof workspaces)[number];
+export async function goTo(page: Page, workspace: Workspace): Promise<void> {
+  await page.click(`#workspace-${workspace}`);
+  await page.waitForSelector(`main[data-workspace="${workspace}"]`);
+}
+
+/** Shows a tab of the dock of the workspace that is open. */
+export async function showTab(page: Page, tab: string): Promise<void> {
+  await page.click(`#docktab-${tab}`);
+  await page.waitForSelector(`#docktab-${tab}[aria-selected="true"]`);
+}
+
+/** On narrow screens the side columns are drawers. */
+export async function openDrawer(page: Page, name: 'Model' | 'Verdict'): Promise<void> {
+  const button = page.locator('.drawerbutton', { hasText: name });
+  if (await button.isVisible() && await button.getAttribute('aria-expanded') === 'false') await button.click();
+}
+
+/** An object and what it lies in: "supports", "supports.stinger", "supports.stinger.boxes", "supports.stinger.boxes[2]". */
+const downTo = (path: string): string[] => [...path.matchAll(/\.|\[|$/g)].map((end) => path.slice(0, end.index)).filter(Boolean);
+
+/** Chooses an object in the tree, unfolding what it lies in. */
+export async function selectObject(page: Page, path: string): Promise<void> {
+  await openDrawer(page, 'Model');
+  for (const step of downTo(path)) {
+    const item = page.locator(`[role=treeitem][data-object="${step}"]`);
+    if (await item.getAttribute('aria-selected') !== 'true') await item.click();
+  }
+  await page.waitForSelector(`.properties[data-object="${path}"]`);
+}
+
+/** The field of a key among the properties of the object that has it, defaults unfolded where need be. */
+export async function openField(page: Page, path: string): Promise<Locator> {
+  await selectObject(page, path.replace(/(\.[^.[]*|\[\d+\])$/, ''));
+  const field = page.locator(`[id="f-${path}"]`), more = page.locator('.properties > button.more[aria-expanded=false]');
+  if (!await field.count() && await more.count()) await more.click();
+  await field.waitFor();
+  return field;
+}
+
+/** Moves the slider of a pinned key; what is tried out is not yet in the model. */
+export async function tryValue(page: Page, name: string, value: number): Promise<void> {
+  await page.getByRole('slider', { name, exact: true }).evaluate((el, v) => {
+    const input = el as HTMLInputElement;
+    input.value = String(v);
+    input.dispatchEvent(new Event('input', { bubbles: true }));
+  }, value);
+}
+
+/** Runs the model and waits for its end; gives the name of its folder. `order`: as of POST runs. */
+export async function runToEnd(bench: Bench, order: object): Promise<string> {
+  const { id } = await (await bench.api('runs', { method: 'POST', body: JSON.stringify(order) })).json() as { id: string };
+  const state = async (): Promise<string> => (await (await bench.api('runs')).json() as { id: string; state: string }[]).find((run) => run.id === id)!.state;
+  for (let now = await state(); now !== 'done'; now = await state()) {
+    if (now !== 'running' && now !== 'queued') throw new Error(`the run ${id} is ${now}`);
+    await new Promise((wait) => setTimeout(wait, 200));
+  }
+  return id;
+}
+
+/** Runs the model over time, and looks at the results in the workspace Storm. */
+export async function runStorm(bench: Bench, page: Page, seconds: number): Promise<string> {
+  const id = await runToEnd(bench, { kind: 'dynamic', duration: seconds });
+  await goTo(page, 'storm');
+  await page.selectOption('select[aria-label="Run shown"]', id);
+  await page.locator('.right .standing', { hasText: /seed \d/ }).waitFor({ timeout: 30_000 });
+  return id;
 }
 
 /** A part of the page as a picture, to be compared with others. */

@@ -1,73 +1,117 @@
-// Studies of many cases from the page: over one key and over two, a case opened from the chart, the largest value that passes.
+// Studies of many cases from the page: over one key and over two, one key at a time, the largest value that passes, the file.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { solved, start, type Bench } from './harness';
 
 let bench: Bench;
 let page: Page;
-beforeAll(async () => { bench = await start('first-model.yaml'); page = await bench.open({ width: 1440, height: 900 }); await solved(page); await page.click('#tab-study'); });
+beforeAll(async () => {
+  bench = await start('first-model.yaml');
+  page = await bench.open({ width: 1440, height: 900 });
+  await solved(page);
+  await page.click('#workspace-study');
+  await page.selectOption('#st-kind', 'study');
+});
 afterAll(async () => { await bench?.stop(); });
 
 const pane = (): ReturnType<Page['locator']> => page.locator('section[aria-label="Results of the study"]');
-const fill = async (index: number, key: string, values: string): Promise<void> => {
-  await page.fill(`input[aria-label="Key ${index}"]`, key);
-  await page.fill(`input[aria-label="Values of key ${index}"]`, values);
+const key = async (index: number, parts: { name?: string; from?: string; to?: string; count?: string; list?: string }): Promise<void> => {
+  if (parts.name) await page.fill(`[aria-label="Key ${index}"]`, parts.name);
+  for (const part of ['from', 'to', 'count'] as const) if (parts[part] !== undefined) await page.fill(`[aria-label="Key ${index}, ${part}"]`, parts[part]);
+  if (parts.list !== undefined) await page.fill(`[aria-label="Values of key ${index}"]`, parts.list);
+};
+const solve = async (words: RegExp): Promise<void> => {
+  await expect.poll(() => page.locator('.studystrip .main').innerText()).toMatch(words);
+  await page.click('.studystrip .main');
 };
 
 test('what cannot be asked for is said before', async () => {
-  await fill(1, 'tensioner.tension', 'much..more/3');
-  expect(await page.locator('.studyform .main').isDisabled()).toBe(true);
-  expect(await page.locator('.studyform .fault').innerText()).toMatch(/values like/);
+  await key(1, { from: 'much' });
+  expect(await page.locator('.studystrip .main').isDisabled()).toBe(true);
+  expect(await page.locator('.studystrip .fault').innerText()).toMatch(/from and to/);
 });
 
 test('a study over one key is run and drawn as a curve', async () => {
-  await fill(1, 'tensioner.tension', '250..350/5');
-  await page.click('text=Run 5 cases');
+  await key(1, { from: '250', to: '350', count: '5' });
+  await solve(/^Solve 5 cases/);
   await pane().getByText('5 cases:').waitFor({ timeout: 60_000 });
-  await page.waitForSelector('.run.done', { timeout: 60_000 });
-  await page.waitForFunction(() => document.querySelectorAll('.matrix .point:not(.open)').length === 5);
-  expect(await pane().locator('option').first().innerText()).toMatch(/^static\./);
-  const csv = await (await bench.api(`runs/${(await (await bench.api('runs')).json())[0].id}/table.csv`)).text();
-  expect(csv.trim().split('\n').length).toBe(6);
+  await expect.poll(() => page.locator('.studyshown .matrix .point:not(.open)').count(), { timeout: 60_000 }).toBe(5);
+  expect(await page.locator('[aria-label="Result"] option').first().innerText()).toMatch(/^Utilisation/);
+  const [run] = await (await bench.api('runs')).json() as { id: string }[];
+  await expect.poll(async () => (await (await bench.api(`runs/${run!.id}/table.csv`)).text()).trim().split('\n').length).toBe(6);
 });
 
-test('a case that is chosen in the chart is told and put into the model', async () => {
-  await pane().locator('.matrix .point').nth(4).click();
-  expect(await page.locator('.chosencase').innerText()).toMatch(/tensioner\.tension\s+350 kN/);
-  await page.click('text=Open this case');
-  await page.waitForFunction(() => !document.querySelector('section[aria-label="Results of the study"]'));
-  expect(await (await bench.api('model')).text()).toMatch(/350 kN/);
+test('a case that is chosen in the chart is shown and taken into the model', async () => {
+  await page.locator('.studyshown .matrix .point').nth(4).click();
+  expect(await page.locator('.chosencase').innerText()).toMatch(/tension\s+350 kN/);
+  await page.click('text=Take into the model');
+  await expect.poll(async () => (await bench.api('model')).text()).toMatch(/350 kN/);
 });
 
-test('two keys make a map, and a case without a solution is hatched', async () => {
-  await page.click('#tab-study');
-  await page.click('text=Add a key');
-  await fill(1, 'tensioner.tension', '2 kN, 300 kN');
-  await fill(2, 'environment.water_depth', '36..40/3');
-  await page.click('text=Run 6 cases');
+test('two keys make a table, and a case without a solution says so', async () => {
+  await key(1, { list: '2 kN, 300 kN' });
+  await page.fill('[aria-label="Add a key"]', 'environment.water_depth');
+  await key(2, { from: '36', to: '40', count: '3' });
+  await solve(/^Solve 6 cases/);
   await pane().getByText('have no solution').waitFor({ timeout: 120_000 });
-  await page.waitForFunction(() => document.querySelectorAll('.matrix .cell:not(.open)').length === 6, undefined, { timeout: 60_000 });
-  expect(await pane().locator('.matrix .cell.failed').count()).toBe(3);
-  await pane().locator('.matrix .cell.failed').first().click();
+  await expect.poll(() => page.locator('.casegrid td:not(.open)').count(), { timeout: 60_000 }).toBe(6);
+  expect(await page.locator('.casegrid td.failed').count()).toBe(3);
+  await page.locator('.casegrid td.failed button').first().click();
   expect(await page.locator('.chosencase .fault').innerText()).toMatch(/tension/i);
-  await bench.shot(page, 'study-map');
+  await page.click('#docktab-governing');
+  expect(await page.locator('.dockpanel').innerText()).toMatch(/no solution/);
+  await page.click('#docktab-cases');
+  expect(await page.locator('.dockpanel tbody tr').count()).toBe(6);
+  await bench.shot(page, 'study-grid');
+});
+
+test('one key at a time gives the swing of each', async () => {
+  await page.selectOption('#st-kind', 'each');
+  await key(1, { list: '300, 400' });
+  await solve(/^Solve 6 cases/);
+  await page.locator('.studyshown svg >> text=water depth').waitFor({ timeout: 120_000 });
+  expect(await page.locator('.studyshown svg').innerHTML()).toMatch(/tensioner\.tension: /);
 });
 
 test('the largest value that passes is found for every other', async () => {
-  await page.click('#tab-study');
-  await fill(1, 'environment.water_depth', '36..40/3');
-  await fill(2, 'tensioner.tension', '200 kN..900 kN/8');
-  await page.selectOption('#st-limit', 'tensioner.tension');
-  await page.click('text=Find 3 limits');
-  await page.waitForSelector('table.limits', { timeout: 120_000 });
-  await page.waitForFunction(() => document.querySelectorAll('table.limits tbody tr').length === 3);
+  await page.selectOption('#st-kind', 'operability');
+  await key(1, { list: '200 kN..900 kN/8' });
+  expect(await page.locator('#st-over').inputValue()).toBe('tensioner.tension');
+  await solve(/^Find 3 limits/);
+  const rows = page.locator('.studyshown table.limits tbody tr');
+  await expect.poll(() => rows.count(), { timeout: 120_000 }).toBe(3);
   expect(await page.locator('table.limits').innerText()).toMatch(/Local buckling|Tension|Equivalent|strain|off-rollers|compression|yield/i);
   await bench.shot(page, 'study-limits');
 });
 
-test('a faulty study is refused with the key and what is expected', async () => {
+test('the study file is shown, and what is edited in it is solved', async () => {
+  await page.selectOption('#st-kind', 'study');
+  await page.click('#docktab-file');
+  const file = page.locator('[aria-label="Study file"]');
+  expect(await file.inputValue()).toMatch(/^overbend_study: 1\n/);
+  await file.fill('overbend_study: 1\nbase: m.yaml\nanalysis: static\nsample: {count: 4, keys: {tensioner.tension: {from: 250 kN, to: 350 kN}}}\n');
+  await solve(/^Solve the study file/);
+  await pane().getByText('4 cases:').waitFor({ timeout: 60_000 });
+  await expect.poll(() => page.locator('.studyshown tbody tr').count()).toBe(4);
+  await file.fill('overbend_study: 1\nbase: m.yaml\naxes:\n  - {key: tensioner.tenson, values: [1 kN]}\n');
+  await page.click('.studystrip .main');
+  await expect.poll(() => page.locator('.studystrip .fault').innerText()).toMatch(/tensioner\.tenson/);
+  await page.click('text=Back to the fields above');
+  expect(await page.locator('.studystrip .fault').count()).toBe(0);
+});
+
+test('a study is cancelled and goes on again', async () => {
+  await key(1, { list: '200 kN..400 kN/2000' });
+  await solve(/^Solve 6000 cases/);
+  await page.locator('.studyprogress >> text=Cancel').click({ timeout: 60_000 });
+  await page.locator('.studyprogress >> text=Resume').click({ timeout: 60_000 });
+  await page.locator('.studyprogress >> text=Cancel').click({ timeout: 60_000 });
+  await page.locator('.studyprogress >> text=Resume').waitFor({ timeout: 60_000 });
+});
+
+test('a faulty study is rejected with the key and what is expected', async () => {
   const answer = await bench.api('runs', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ kind: 'study', study: 'overbend_study: 1\nbase: x.yaml\nanalysis: static\naxes:\n  - {key: tensioner.tenson, values: [1 kN]}\n' }) });
   expect(answer.status).toBe(422);
   expect(await answer.text()).toMatch(/tensioner\.tension/);
-  expect(bench.complaints.filter((c) => !c.includes('422'))).toEqual([]);
+  expect(bench.complaints.filter((c) => !/422|404/.test(c))).toEqual([]);
 });

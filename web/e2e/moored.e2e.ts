@@ -3,7 +3,7 @@ import { afterAll, beforeAll, expect, test } from 'vitest';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
-import { colours, picture, rested, solved, start, type Bench } from './harness';
+import { colours, goTo, picture, rested, runStorm, showTab, solved, start, type Bench } from './harness';
 
 interface Summary { static: { vessel: { natural_periods: { mode: string; period: number }[] }; moorings: { name: string; fairlead_tension: number; on_bed: number }[] } }
 
@@ -17,14 +17,14 @@ async function put(next: string, name?: string): Promise<void> {
   const { revision } = await (await bench.api('model')).json() as { revision: number };
   expect((await bench.api('model', { method: 'PUT', body: JSON.stringify({ text: next, revision, ...(name ? { name } : {}) }) })).status).toBe(200);
 }
-const newest = async (): Promise<string> => (await (await bench.api('runs')).json() as { id: string }[])[0]!.id;
-const rows = (): Promise<string[][]> => page.locator('.right table.moorings tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => (cell as HTMLElement).innerText.trim())));
+const rows = (): Promise<string[][]> => page.locator('.dock table.moorings tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => (cell as HTMLElement).innerText.trim())));
 
 test('a moored barge without a pipe shows its lines, with the values of summary.json', async () => {
-  expect(await page.locator('.viewbuttons button').allInnerTexts()).toEqual(['vessel', 'moorings', 'plan']);
+  expect(await page.locator('.viewbuttons button').allInnerTexts()).toEqual(['vessel', 'moorings', 'side', 'plan']);
   const { id } = await (await bench.api('runs', { method: 'POST', body: JSON.stringify({ kind: 'static' }) })).json() as { id: string };
   await expect.poll(async () => (await bench.api(`runs/${id}/summary`)).status, { timeout: 20_000 }).toBe(200);
   const summary = await (await bench.api(`runs/${id}/summary`)).json() as Summary;
+  await showTab(page, 'moorings');
   const shown = await rows();
   expect(shown.map((r) => r[0])).toEqual(summary.static.moorings.map((l) => l.name));
   shown.forEach((r, i) => {
@@ -38,10 +38,10 @@ test('a moored barge without a pipe shows its lines, with the values of summary.
 });
 
 test('the table is sorted by a click, and a line that is chosen is told', async () => {
-  await page.click('.right table.moorings thead button:has-text("fairlead")');
+  await page.click('.dock table.moorings thead button:has-text("fairlead")');
   const tensions = (await rows()).map((r) => Number(r[1]));
   expect(tensions).toEqual([...tensions].sort((a, b) => b - a));
-  await page.click('.right table.moorings tbody tr:first-child .linkname');
+  await page.click('.dock table.moorings tbody tr:first-child .linkname');
   expect(await page.locator('.values').innerText()).toContain((await rows())[0]![0]);
 });
 
@@ -53,7 +53,6 @@ test('the plan names eight lines with their tensions, at three sizes', async () 
   expect(loads.every((l) => /^\d+(\.\d+)? kN$/.test(l))).toBe(true);
   for (const [name, width, height] of [['large', 1920, 1080], ['middle', 1280, 720], ['small', 390, 780]] as const) {
     await page.setViewportSize({ width, height });
-    if (name === 'small') await page.click('.panes >> text=Picture');
     // names stay within the drawing
     const outside = (): Promise<number> => page.locator('.planview .name').evaluateAll((all) => all.filter((t) => { const r = t.getBoundingClientRect(), b = t.closest('svg')!.getBoundingClientRect(); return r.left < b.left - 1 || r.right > b.right + 1 || r.top < b.top || r.bottom > b.bottom + 1; }).length);
     await expect.poll(outside, { message: name }).toBe(0);
@@ -63,19 +62,19 @@ test('the plan names eight lines with their tensions, at three sizes', async () 
 });
 
 test('the barge moves on its lines in time, and is animated', async () => {
-  await page.click('#tab-runs');
-  await page.fill('#run-duration', '40 s');
-  await page.click('text=Start run');
-  await page.waitForSelector('.run.done', { timeout: 60_000 });
+  const id = await runStorm(bench, page, 40);
   await page.waitForSelector('.animation');
+  await showTab(page, 'moorings');
   await page.waitForSelector('table[aria-label="Moorings over time"] tbody tr');  // comes with the summary, picture or not
-  const { dynamic } = await (await bench.api(`runs/${await newest()}/summary`)).json() as { dynamic: { vessel: { pitch: { max: number } }; moorings: { name: string; fairlead_tension: { max: number } }[] } };
+  const { dynamic } = await (await bench.api(`runs/${id}/summary`)).json() as { dynamic: { vessel: { pitch: { max: number } }; moorings: { name: string; fairlead_tension: { max: number } }[] } };
   const over = await page.locator('table[aria-label="Moorings over time"] tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => (cell as HTMLElement).innerText.trim())));
   expect(over.length).toBe(14);
   expect(Number(over.find((r) => r[0]!.startsWith('pitch'))![2])).toBeCloseTo(dynamic.vessel.pitch.max * 180 / Math.PI, 1);
   expect(Number(over.find((r) => r[0]!.startsWith('port bow'))![2])).toBeCloseTo(dynamic.moorings[0]!.fairlead_tension.max / 1e3, 0);
   expect(await page.locator('.standing').innerText()).toBe('40 s, seed 1');
-  await page.selectOption('[aria-label="Diagram 2"]', 'history:mooring/port bow/fairlead_tension');
+  await page.locator('table.overtime button', { hasText: 'port bow' }).click();
+  await page.waitForSelector('#docktab-histories[aria-selected=true]');
+  await expect.poll(() => page.locator('[aria-label="History 1"]').inputValue()).toBe('mooring/port bow/fairlead_tension');
   await page.click('[aria-label=Play]');
   const clock = async (): Promise<number> => Number.parseFloat(await page.locator('.clock').innerText());
   const first = await clock();
@@ -87,7 +86,9 @@ test('the barge moves on its lines in time, and is animated', async () => {
     await bench.shot(page, `moored-run-${name}`);
   }
   await page.setViewportSize({ width: 1440, height: 820 });
-  await page.click('text=Back to the model');
+  await page.click('.right [aria-label="Back to the model"]');
+  await goTo(page, 'lay');
+  await showTab(page, 'moorings');
 });
 
 test('a stage of the operation is followed by plan and table', async () => {
@@ -105,11 +106,10 @@ test('a stage of the operation is followed by plan and table', async () => {
 
 test('a spread from the dialogue is written into a lay, solves, and is undone', async () => {
   await put(readFileSync(join(bench.folder, 'bgl1.yaml'), 'utf8'), 'bgl1.yaml');
-  await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts()).not.toContain('plan');
+  await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts()).toContain('touchdown');
   await solved(page);
-  await page.click('#tab-form');
-  await page.locator('.form h3 button', { hasText: 'moorings' }).click();
-  await page.click('text=Spread of lines…');
+  await page.click('text=add to the model');
+  await page.click('[role=menuitem] >> text=Moorings');
   await page.fill('#m-angles', '25');
   expect(await page.locator('dialog .fault').innerText()).toMatch(/4 angles/);
   await page.selectOption('#m-count', '6');
@@ -119,6 +119,7 @@ test('a spread from the dialogue is written into a lay, solves, and is undone', 
   await expect.poll(() => page.locator('.planview .planline').count(), { timeout: 20_000 }).toBe(6);
   await solved(page);
   expect(await page.locator('header .status').innerText()).toMatch(/solved/);
+  await showTab(page, 'moorings');
   expect((await rows()).map((r) => Number(r[1]))).toEqual(Array(6).fill(250));
   await bench.shot(page, 'spread-plan');
   await page.click('[aria-label="Undo"]');
@@ -129,31 +130,35 @@ test('a barge that thrusters alone hold is seen, without lines that it does not 
   const moored = readFileSync(join(bench.folder, 'moored-barge.yaml'), 'utf8');
   const dp = 'station_keeping: {dp: {surge: {stiffness: 100 kN/m}, sway: {stiffness: 100 kN/m}, yaw: {stiffness: 2e5 kN*m}}}\n\n';
   await put(moored.replace(/^moorings:[\s\S]*?(?=^analysis:)/m, dp), 'moored-barge.yaml');
-  await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts(), { timeout: 20_000 }).toEqual(['vessel', 'plan']);
+  await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts(), { timeout: 20_000 }).toEqual(['vessel', 'side', 'plan']);
   await solved(page);
   await page.click('.viewbuttons >> text=vessel');
   await rested(page);
+  await showTab(page, 'moorings');
+  await page.waitForSelector('section[aria-label="Station keeping"]');
   expect(await page.locator('section[aria-label="Station keeping"] table').count()).toBe(0);
+  await showTab(page, 'diagrams');
   expect(await page.locator('.slot .empty').first().innerText()).toMatch(/neither pipe nor lines/);
   expect(await colours(page, await picture(page, '.canvas'))).toBeGreaterThan(8);
   await bench.shot(page, 'positioned');
-  await page.click('#tab-runs');
-  await page.fill('#run-duration', '20 s');
-  await page.click('text=Start run');
-  await page.waitForSelector('.run.done', { timeout: 120_000 });
+  await runStorm(bench, page, 20);
+  await showTab(page, 'moorings');
   const inTime = page.locator('table.overtime');
   await inTime.locator('tr', { hasText: 'DP yaw' }).waitFor();
   await inTime.locator('button', { hasText: 'DP sway' }).click();
-  await page.waitForFunction(() => [...document.querySelectorAll('.slot select')].some((s) => (s as HTMLSelectElement).value === 'history:thrust/sway'));
+  await expect.poll(() => page.locator('[aria-label="History 1"]').inputValue()).toBe('thrust/sway');
   await bench.shot(page, 'thrust-in-time');
-  await page.click('text=Back to the model');
+  await page.click('.right [aria-label="Back to the model"]');
+  await goTo(page, 'lay');
 });
 
 test('a line by itself is drawn, and its diagrams are those of the line', async () => {
   await put(readFileSync(join(bench.folder, 'jumper.yaml'), 'utf8'), 'jumper.yaml');
-  await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts(), { timeout: 20_000 }).toEqual(['lines']);
+  await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts(), { timeout: 20_000 }).toEqual(['lines', 'side', 'plan']);
   await solved(page);
+  await showTab(page, 'lines');
   expect(await page.locator('.moored .kv', { hasText: 'length' }).first().locator('dd').innerText()).toMatch(/^170/);
+  await showTab(page, 'diagrams');
   await page.waitForSelector('.slot .plot canvas');
   await page.waitForTimeout(300);
   await bench.shot(page, 'jumper');

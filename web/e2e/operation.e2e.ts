@@ -1,7 +1,7 @@
-// An operation on the line: begun in its tab, solved, gone through stage by stage, at three sizes.
+// An operation on the line: begun in its workspace, designed, solved, gone through stage by stage, at three sizes.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { difference, picture, reading, rested, solved, start, type Bench } from './harness';
+import { difference, picture, rested, solved, start, type Bench } from './harness';
 
 let bench: Bench;
 let page: Page;
@@ -16,10 +16,10 @@ async function put(next: string): Promise<void> {
 const rows = (): Promise<string[][]> => page.locator('table.stages tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => (cell as HTMLElement).innerText.trim())));
 
 test('a first operation is written into the model and its stages are solved', async () => {
-  await page.click('#tab-operation');
+  await page.click('#workspace-operation');
   await page.click('.offers >> text=Move ahead');
   await expect.poll(text).toMatch(/operation:\s+type: move/);
-  await page.click('text=Solve all stages');
+  await page.click('.opstrip >> text=Solve 5 stages');
   await expect.poll(async () => (await rows()).length, { timeout: 60_000 }).toBe(5);
   const shown = await rows();
   expect(shown.map((r) => Number(r[1]))).toEqual([0, 3, 6, 9, 12]);
@@ -28,9 +28,10 @@ test('a first operation is written into the model and its stages are solved', as
 
 test('a stage that is clicked is the one that picture and results show', async () => {
   await page.locator('table.stages tbody tr').nth(2).locator('.linkname').click();
-  await expect.poll(() => page.locator('.results h2').first().innerText()).toMatch(/stage 3/);
+  await expect.poll(() => page.locator('.whoseresults h3').innerText()).toMatch(/Stage 3/);
   expect(await page.locator('.stagebar .which').innerText()).toMatch(/stage 3 of 5/);
-  expect(await reading(page, 'top tension')).toBeCloseTo(Number((await rows())[2]![2]), 0);
+  const tension = page.locator('.right tr', { hasText: 'top tension' }).first();
+  expect(Number.parseFloat((await tension.locator('td').first().innerText()))).toBeCloseTo(Number((await rows())[2]![2]), 0);
   await bench.shot(page, 'operation-move');
 });
 
@@ -39,27 +40,67 @@ test('the slider goes through the stages, and back to the lay', async () => {
   await expect.poll(() => page.locator('.stagebar .which').innerText()).toMatch(/stage 5/);
   expect(await page.locator('table.stages tr.chosen').count()).toBe(1);
   await page.click('.stagebar [aria-label="Back to the lay"]');
-  await expect.poll(() => page.locator('.stagebar').count()).toBe(0);
-  expect(await page.locator('.results h2').first().innerText()).toMatch(/statics/);
+  await expect.poll(() => page.locator('.stagebar .which').innerText()).toMatch(/the lay is shown/);
+  expect(await page.locator('.whoseresults').count()).toBe(0);
 });
 
 test('a stage that cannot be says why in its row', async () => {
   await put((await text()).replace(/operation:[\s\S]*$/, 'operation:\n  type: move\n  stages:\n    - {ahead: 0 m}\n    - {ahead: 6 m, tension: 1 kN}\n'));
-  await expect.poll(() => page.locator('.operation .note').innerText()).toMatch(/model has changed/);
-  await page.click('text=Solve again');
+  await expect.poll(() => page.locator('.opstrip .note').innerText()).toMatch(/model has changed/);
+  await page.click('.opstrip >> text=Solve 2 stages');
   await expect.poll(async () => (await rows()).length, { timeout: 60_000 }).toBe(2);
-  expect((await rows())[1]![1]).toMatch(/\w{4}/);
+  await page.locator('table.stages tr.gone td.why').waitFor({ timeout: 60_000 });
+  expect(await page.locator('table.stages tr.gone td.why').innerText()).toMatch(/\w{4}/);
   expect(await page.locator('table.stages tr.gone .linkname').isDisabled()).toBe(true);
   await bench.shot(page, 'operation-failed');
+});
+
+test('a stage of a list is changed in its row', async () => {
+  const tension = page.locator('table.stages tbody tr').nth(1).locator('td.setting input').nth(1);
+  expect(await tension.inputValue()).toBe('1 kN');
+  await tension.fill('240');
+  await tension.press('Enter');
+  await expect.poll(text).toMatch(/ahead: 6 m, tension: 240 kN/);
+  await expect.poll(() => page.locator('.opstrip .note').innerText()).toMatch(/model has changed/);
+  await page.click('.opstrip >> text=Solve 2 stages');
+  // the value of the solved stage stands behind that of the model
+  await expect.poll(async () => Number(await tension.getAttribute('placeholder')), { timeout: 60_000 }).toBe(240);
+  expect(await page.locator('table.stages tr.gone').count()).toBe(0);
+});
+
+test('the settings of a designed abandonment stand in words above the picture, with their keys behind', async () => {
+  await put((await text()).replace(/operation:[\s\S]*$/, ''));
+  await page.click('.offers >> text=Abandonment');
+  await page.click('text=Design the procedure');
+  await expect.poll(() => page.locator('table.stages .light[aria-label]').count(), { timeout: 180_000 }).toBe(11);
+  await expect.poll(() => page.locator('.opstrip .main').innerText(), { timeout: 180_000 }).toBe('Solve 11 stages');
+  await bench.shot(page, 'operation-designed');
+  const field = page.locator('.opstrip .valuebox', { hasText: 'tension' });
+  expect(await field.locator('button').first().innerText()).toBe('seek: utilisation below 0.9');
+  await field.locator('button').first().click();
+  await page.fill('.valuepanel:popover-open [id="f-operation.stages.limits.tip_clearance"]', '0 m');
+  await page.keyboard.press('Enter');
+  await expect.poll(text).toMatch(/tip_clearance: 0 m/);
+  await page.keyboard.press('Escape');
+  await expect.poll(() => page.locator('.valuepanel:popover-open').count()).toBe(0);
+  expect(await page.locator('.opstrip .valuebox', { hasText: 'cable' }).first().locator('button').first().innerText()).toMatch(/mm, [\d.]+ kN/);
+});
+
+test('diagrams run over the stages, and tension along the cable', async () => {
+  await page.click('#docktab-over');
+  expect(await page.locator('.datadiagram').count()).toBeGreaterThan(4);
+  await page.click('#docktab-cable');
+  await expect.poll(() => page.locator('.cablevalues').innerText()).toMatch(/breaking load/);
+  await page.click('#docktab-stages');
 });
 
 test('an abandonment shows head and cable apart from the pipe, at three sizes', async () => {
   await put((await text()).replace(/operation:[\s\S]*$/, ''));
   await page.click('.offers >> text=Abandonment');
   await expect.poll(text).toMatch(/type: abandonment/);
-  await page.click('text=Solve all stages');
+  await page.click('.opstrip >> text=Solve 11 stages');
   await expect.poll(async () => (await rows()).length, { timeout: 60_000 }).toBe(11);
-  const heads = await page.locator('table.stages thead th').allInnerTexts();
+  const heads = await page.locator('table.stages thead tr').last().locator('th').allInnerTexts();
   const depth = heads.findIndex((h) => h.startsWith('head z'));
   const standing = (await rows()).filter((r) => r.length === heads.length).map((r) => Number(r[depth]));
   expect(standing.length).toBeGreaterThan(5);
@@ -72,16 +113,14 @@ test('an abandonment shows head and cable apart from the pipe, at three sizes', 
   await rested(page);
   expect(await difference(page, first, await picture(page, '.canvas'))).toBeGreaterThan(0.05);
   expect(await page.locator('.legend').innerText()).toMatch(/head\s+cable/);
-  expect(await page.locator('.slot .chartlegend').first().innerText()).toMatch(/cable/);
-  for (const [name, width, height] of [['large', 1920, 1080], ['middle', 1280, 720], ['small', 390, 780]] as const) {
+  await page.click('#docktab-diagrams');
+  await expect.poll(() => page.locator('.dock .slot .chartlegend').first().innerText()).toMatch(/cable/);
+  await page.click('#docktab-stages');
+  for (const [name, width, height] of [['large', 1920, 1080], ['middle', 1280, 720], ['small', 1024, 768]] as const) {
     await page.setViewportSize({ width, height });
-    if (name === 'small') await page.click('.panes >> text=Model');
     await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
     await bench.shot(page, `operation-${name}`);
   }
-  await page.click('.panes >> text=Picture');
-  await page.waitForTimeout(300);
-  await bench.shot(page, 'operation-small-picture');
 });
 
 test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

@@ -1,7 +1,7 @@
 // Runs of one model: told apart by their names, their reports printed.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { solved, start, type Bench } from './harness';
+import { goTo, openField, runToEnd, solved, start, type Bench } from './harness';
 
 let bench: Bench;
 let page: Page;
@@ -15,27 +15,24 @@ beforeAll(async () => {
 });
 afterAll(async () => { await bench?.stop(); });
 
-async function run(count: number): Promise<void> {
-  await page.click('#tab-runs');
-  await page.click('text=Static run with report');
-  await expect.poll(() => page.locator('.run.done').count(), { timeout: 60_000 }).toBe(count);
-}
+const names = (): Promise<string[]> => page.locator('table.runlist td.name span').allInnerTexts();
 
 test('two runs of the same title have names that differ, with what was changed', async () => {
-  await run(1);
-  expect(await page.locator('.runhead b').allInnerTexts()).toEqual(['My first lay']);
-  await page.click('#tab-form');
-  await page.fill('#f-tensioner\\.tension', '310 kN');
+  await runToEnd(bench, { kind: 'static' });
+  await goTo(page, 'runs');
+  await expect.poll(names).toEqual(['My first lay']);
+  await (await openField(page, 'tensioner.tension')).fill('310 kN');
   await page.keyboard.press('Enter');
   await solved(page);
-  await run(2);
-  expect(await page.locator('.runhead b').allInnerTexts()).toEqual(['My first lay (2: tensioner.tension 310 kN)', 'My first lay (1)']);
-  expect(await page.locator('section[aria-label="Results of the run"] h2').innerText()).toMatch(/My first lay \(2: tensioner\.tension 310 kN\)/);
+  const id = await runToEnd(bench, { kind: 'static' });
+  await expect.poll(names).toEqual(['My first lay (2: tensioner.tension 310 kN)', 'My first lay (1)']);
+  await page.locator(`tr[data-run="${id}"]`).click();
+  await expect.poll(() => page.locator('.right h3').first().innerText()).toMatch(/My first lay \(2: tensioner\.tension 310 kN\)/);
   await bench.shot(page, 'runs-told-apart');
 });
 
 test('the report is printed with its figures drawn', async () => {
-  await page.locator('.run').first().locator('text=PDF…').click();
+  await page.locator('.runacts >> text=PDF…').click();
   await expect.poll(() => page.evaluate(() => (window as unknown as Printed).printed), { timeout: 20_000 }).toMatchObject({ drawn: true, wide: 1000 });
   const printed = await page.evaluate(() => (window as unknown as Printed).printed!);
   expect(printed.title).toMatch(/My first lay/);

@@ -3,7 +3,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Dialog, Page } from 'playwright-core';
-import { solved, start, type Bench } from './harness';
+import { openField, selectObject, showTab, solved, start, type Bench } from './harness';
 
 let bench: Bench;
 let page: Page;
@@ -13,7 +13,7 @@ afterAll(async () => { await bench?.stop(); });
 const depth = '#f-environment\\.water_depth';
 const file = (): string => readFileSync(join(bench.folder, 'bgl1.yaml'), 'utf8');
 const model = async (): Promise<{ text: string; revision: number; saved: boolean }> => await (await bench.api('model')).json() as never;
-async function type(p: Page, value: string): Promise<void> { await p.fill(depth, value); await p.keyboard.press('Enter'); }
+async function type(p: Page, value: string): Promise<void> { await (await openField(p, 'environment.water_depth')).fill(value); await p.keyboard.press('Enter'); }
 const holds = (p: Page, value: string): Promise<unknown> => p.waitForFunction(([id, v]) => (document.querySelector(id!) as HTMLInputElement | null)?.value === v, [depth, value] as const);
 
 test('Open and New ask before changes are lost, and do not where there are none', async () => {
@@ -48,7 +48,7 @@ test('a file that another program changed is not overwritten: both texts are sho
   expect(file()).toContain('water_depth: 85 m');
   expect((await model()).text).toContain('water_depth: 93 m');
 
-  await page.click('header >> text=Save >> nth=0');
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
   await dialog.locator('text=Replace the file').click();
   await dialog.waitFor({ state: 'hidden' }); // behind it nothing can be typed; a notice of an earlier save may still stand there
   await page.waitForSelector('.notice.good');
@@ -86,6 +86,7 @@ test('undo and redo survive a reload', async () => {
 test('two tabs agree without being asked', async () => {
   const other = await bench.open({ width: 1280, height: 620 });
   await solved(other);
+  await selectObject(other, 'environment');
   await type(other, '97 m');
   await holds(page, '97 m');
   await page.click('[aria-label=Undo]');
@@ -118,7 +119,9 @@ test('a field shows what the model has once the newer text is taken, also where 
   await type(page, '101 m');
   await page.click('dialog >> text=Take the newer');
   await page.unroute('**/api/model');
+  await selectObject(page, 'tensioner');
   await expect.poll(() => page.locator('#f-tensioner\\.tension').getAttribute('data-written')).toBe('255 kN');
+  await selectObject(page, 'environment');
   await holds(page, before);
   expect((await model()).text).toContain(`water_depth: ${before}`);
 });
@@ -129,13 +132,14 @@ test('of two values that meet a change of another tab both stay when the user ke
   await page.route('**/api/model', async (route) => { await new Promise((done) => setTimeout(done, 1500)); await route.continue().catch(() => undefined); });
   expect((await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'tensioner.delay', value: '3 s' }], revision }) })).status).toBe(200);
   await type(page, '94 m');
-  await page.fill('#f-tensioner\\.tension', '256 kN');
+  await (await openField(page, 'tensioner.tension')).fill('256 kN');
   await page.keyboard.press('Enter');
   await page.waitForSelector('dialog >> text=Keep mine');
   await page.waitForTimeout(1500);  // for the second refusal
   await page.unrouteAll();
   await page.click('dialog >> text=Keep mine');
   await expect.poll(async () => (await model()).text).toMatch(/water_depth: 94 m[\s\S]*tension: 256 kN/);
+  await selectObject(page, 'environment');
   await holds(page, '94 m');
   await solved(page);
 });
@@ -143,7 +147,7 @@ test('of two values that meet a change of another tab both stay when the user ke
 test('what is typed while a save is on its way stays, unsaved, and goes into the next one', async () => {
   await type(page, '90 m');
   await page.waitForSelector('h1 i');
-  await page.click('text=YAML');
+  await showTab(page, 'yaml');
   await page.waitForSelector('.cm-content');
   await page.route('**/api/model/save', async (route) => { const answer = await route.fetch(); await new Promise((done) => setTimeout(done, 1500)); await route.fulfill({ response: answer }); });
   const sent = page.waitForRequest('**/api/model/save');

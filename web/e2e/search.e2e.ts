@@ -1,11 +1,11 @@
 // Search in the YAML: by Ctrl+F from anywhere on the page, also for lines that are not drawn.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { solved, start, type Bench } from './harness';
+import { showTab, solved, start, type Bench } from './harness';
 
 let bench: Bench;
 let page: Page;
-beforeAll(async () => { bench = await start('bgl1.yaml'); page = await bench.open(); await solved(page); await page.click('#tab-yaml'); await page.locator('.cm-content').waitFor(); });
+beforeAll(async () => { bench = await start('bgl1.yaml'); page = await bench.open(); await solved(page); await showTab(page, 'yaml'); await page.locator('.cm-content').waitFor(); });
 afterAll(async () => { await bench?.stop(); });
 
 test('a word far below is found and shown', async () => {

@@ -8,7 +8,7 @@ let page: Page;
 beforeAll(async () => { bench = await start('first-model.yaml'); page = await bench.open({ width: 1440, height: 900 }); await solved(page); });
 afterAll(async () => { await bench?.stop(); });
 
-const row = () => page.locator('.results .kv', { hasText: 'bottom tension' });
+const row = () => page.locator('.keyresults tr', { hasText: 'bottom tension' });
 
 test('a bottom tension is made what is wanted, and the tension goes into the model', async () => {
   await row().hover();
@@ -21,7 +21,8 @@ test('a bottom tension is made what is wanted, and the tension goes into the mod
   await bench.shot(page, 'seek-found');
   await page.click('dialog button.main:has-text("Put into the model")');
   await page.waitForSelector('dialog', { state: 'detached' });
-  await expect.poll(async () => (await row().locator('dd').innerText()).trim(), { timeout: 20_000 }).toMatch(/^270(\.0)? kN$/);
+  expect(await row().locator('th small').innerText()).toBe('kN');
+  await expect.poll(async () => (await row().locator('td').first().innerText()).trim(), { timeout: 20_000 }).toMatch(/^270(\.0)?$/);
 });
 
 test('what cannot be reached is said with what is', async () => {

@@ -1,14 +1,15 @@
 // What a key result hangs on, with BGL-1.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { solved, start, type Bench } from './harness';
+import { goTo, showTab, solved, start, tryValue, type Bench } from './harness';
 
 let bench: Bench;
 let page: Page;
-beforeAll(async () => { bench = await start('bgl1.yaml'); page = await bench.open(); await solved(page); });
+beforeAll(async () => { bench = await start('bgl1.yaml'); page = await bench.open({ width: 1440, height: 900 }); await solved(page); await page.click('#docktab-sensitivities'); });
 afterAll(async () => { await bench?.stop(); });
 
 test('a tornado of the chosen result', async () => {
+  await showTab(page, 'sensitivities');
   const panel = page.locator('section[aria-label="Sensitivities"]');
   await panel.locator('button').click();
   await panel.locator('.tornado li').first().waitFor();
@@ -23,7 +24,7 @@ test('a tornado of the chosen result', async () => {
 });
 
 test('they are marked as old when a value is tried out', async () => {
-  await page.locator('#s-tension').evaluate((el) => { const input = el as HTMLInputElement; input.value = '300'; input.dispatchEvent(new Event('input', { bubbles: true })); });
+  await tryValue(page, 'tension', 300);
   await page.locator('section.sensitivities.old').waitFor();
 });
 
@@ -41,11 +42,27 @@ test('they vanish when the model is changed', async () => {
   await expect.poll(() => page.locator('.tornado').count()).toBe(0);
 });
 
-test('a new model has neither those of the earlier one nor its lay table', async () => {
+test('a key shows its own effect from the menu of its field', async () => {
   await anew();
-  await page.click('#tab-laytable');
-  await page.fill('#lt-steps', '2');
-  await page.click('text=Make table');
+  await page.click('[role=treeitem][data-object="tensioner"]');
+  await page.locator('label[for="f-tensioner.tension"]').click({ button: 'right' });
+  await page.click('.menu >> text=Sensitivity');
+  const effect = page.locator('dialog tbody tr', { hasText: 'bottom tension' });
+  await effect.waitFor();
+  expect(await effect.innerText()).toMatch(/\+\d(\.\d+)? kN\s+-\d/);
+  await bench.shot(page, 'key-sensitivity');
+  await page.keyboard.press('Escape');
+  await page.waitForSelector('dialog', { state: 'detached' });
+});
+
+test('a new model has neither those of the earlier one nor its lay table', async () => {
+  expect(await page.locator('.tornado li').count()).toBeGreaterThan(0);
+  await goTo(page, 'study');
+  await page.selectOption('#lt-over', 'tension');
+  await page.fill('[aria-label="from … to, in steps, from"]', '250 kN');
+  await page.fill('[aria-label="from … to, in steps, to"]', '400 kN');
+  await page.fill('[aria-label="from … to, in steps, steps"]', '2');
+  await page.click('.studystrip .main');
   await page.locator('table.lay-rows tbody tr').first().waitFor({ timeout: 60_000 });
   await page.click('header >> text=New…');
   if (await page.locator('text=Continue without saving').count()) await page.click('text=Continue without saving');
@@ -54,7 +71,9 @@ test('a new model has neither those of the earlier one nor its lay table', async
   await page.click('dialog button.main');
   await expect.poll(() => page.locator('dialog[open]').count(), { timeout: 30_000 }).toBe(0);
   await solved(page);
-  expect(await page.locator('.tornado').count()).toBe(0);
   expect(await page.locator('table.lay-rows').count()).toBe(0);
+  await goTo(page, 'lay');
+  await showTab(page, 'sensitivities');
+  expect(await page.locator('.tornado').count()).toBe(0);
   expect(await page.locator('section[aria-label="Sensitivities"] button').innerText()).toMatch(/^compute the/);
 });

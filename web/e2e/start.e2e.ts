@@ -1,7 +1,7 @@
 // First start: from the dialogue to the first solution.
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { reading, solved, start, type Bench } from './harness';
+import { openField, reading, solved, start, type Bench } from './harness';
 
 let bench: Bench;
 let page: Page;
@@ -26,13 +26,14 @@ test('answers in mixed units lead to a solution', async () => {
   await page.click('dialog button.main');
   await solved(page);
   expect(await reading(page, 'top tension')).toBeGreaterThan(10);
-  expect(await page.locator('#f-environment\\.water_depth').inputValue()).toBe('300 ft');
+  expect(await (await openField(page, 'environment.water_depth')).inputValue()).toBe('300 ft');
   await page.waitForTimeout(800);
   await bench.shot(page, 'first-solution');
 });
 
 test('it can be saved, and undone', async () => {
-  await page.click('header >> text=Save as…');
+  await page.click('[aria-label="Other ways to save"]');
+  await page.click('[role=menuitem] >> text=Save as…');
   await page.fill('#save-name', 'mine');
   await page.click('dialog button.main');
   await page.waitForSelector('.notice.good');
@@ -40,7 +41,7 @@ test('it can be saved, and undone', async () => {
   expect(files.files.map((f) => f.name)).toContain('mine.yaml');
   await page.fill('#f-environment\\.water_depth', '100 m');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => (document.querySelector('#f-environment\\.water_depth + .twin') as HTMLElement).innerText === '328.1 ft');
+  await page.waitForFunction(() => (document.querySelector('#f-environment\\.water_depth ~ .twin') as HTMLElement).innerText === '328.1 ft');
   await page.click('[aria-label=Undo]');
   await page.waitForFunction(() => (document.querySelector('#f-environment\\.water_depth') as HTMLInputElement).value === '300 ft');
 });

@@ -2,25 +2,25 @@
 import { expect, test } from 'vitest';
 import type { LayTable } from '../src/api/types';
 import { valueRange } from '../src/components/LayTableCharts';
-import { layRows, rangeOf, usualRange, wishFault } from '../src/logic/laytable';
+import { layRowKeys, layRows, rangeText, usualRange, layWishFault } from '../src/logic/laytable';
 
 test('a range is asked for as the command line does', () => {
-  expect(rangeOf({ vary: 'tension', from: ' 200 kN', to: '400 kN ', steps: '20' })).toBe('200 kN..400 kN/20');
+  expect(rangeText({ vary: 'tension', from: ' 200 kN', to: '400 kN ', steps: '20' })).toBe('200 kN..400 kN/20');
 });
 
 test('the usual range lies around the lay that is shown', () => {
   expect(usualRange('tension', { top_tension: 250e3, lay_back: 330 }, 89)).toEqual({ vary: 'tension', from: '200 kN', to: '400 kN', steps: '16' });
   expect(usualRange('lay_back', { top_tension: 250e3, lay_back: 330 }, 89).to).toBe('396 m');
   expect(usualRange('depth', null, 89).from).toBe('71.2 m');
-  expect(wishFault(usualRange('tension', null, null))).not.toBeNull();
+  expect(layWishFault(usualRange('tension', null, null))).not.toBeNull();
 });
 
 test('what cannot be asked for is said before it is sent', () => {
   const good = { vary: 'tension', from: '200', to: '400 kN', steps: '20' } as const;
-  expect(wishFault(good)).toBeNull();
-  expect(wishFault({ ...good, to: '400' })).toMatch(/unit/);
-  expect(wishFault({ ...good, steps: '0' })).toMatch(/steps/);
-  expect(wishFault({ ...good, from: 'much' })).toMatch(/numbers/);
+  expect(layWishFault(good)).toBeNull();
+  expect(layWishFault({ ...good, to: '400' })).toMatch(/unit/);
+  expect(layWishFault({ ...good, steps: '0' })).toMatch(/steps/);
+  expect(layWishFault({ ...good, from: 'much' })).toMatch(/numbers/);
 });
 
 test('a panel holds its curves and the limit', () => {
@@ -35,6 +35,8 @@ test('rows have their units in the heads; limits and what does not pass stand ou
   const columns = [{ heading: 'row', digits: 0 }, { heading: 'tension [kN]', digits: 1 }, { heading: 'checks', digits: 6 }];
   const table = layRows({ columns, rows: [step, limit] } as unknown as LayTable);
   expect(table.columns).toMatchObject([{ title: 'row', words: true }, { title: 'tension', unit: 'kN', digits: 1, words: false }, { title: 'checks', digits: 4 }]);
-  expect(table.rows[0]).toEqual(['step', 200, '-']);
+  expect(table.rows[0]).toEqual(['1', 200, '-']);
+  expect(layRowKeys({ columns: [{ heading: 'row' }, { heading: 'top tension [kN]' }, { heading: 'depth [m]' }], rows: [{ kind: 'step', cells: ['step', 250.0002, 40] }] } as unknown as LayTable, 0))
+    .toEqual([{ key: 'tensioner.tension', text: '250 kN' }, { key: 'environment.water_depth', text: '40 m' }]);
   expect(table.marks).toEqual(['over', 'limit']);
 });

@@ -2,7 +2,8 @@ import { describe, expect, test } from 'vitest';
 import { complete, fromSi, inUnitOf, parseQuantity, tidy, tidyLength, toSi, twin } from '../src/logic/units';
 import { UndoStack } from '../src/logic/undo';
 import { LatestGate } from '../src/logic/gate';
-import { colourAt, niceRange } from '../src/logic/colour';
+import { loadShares, pictureScale, quantityLimit } from '../src/logic/colour';
+import { aboveLimit, readHex, valueShares, viridis } from '../src/components/colourScale';
 import { indexBefore, nearest, resample } from '../src/logic/series';
 import { tube, tubeIndices } from '../src/logic/tube';
 import { fitCircle, fittedRadius, withRadius } from '../src/logic/stinger';
@@ -119,11 +120,34 @@ test('gate: one request at a time, of the waiting ones only the newest', async (
 });
 
 test('colours: ends, middle, and nonsense', () => {
-  expect(colourAt('load', 0)).toEqual(colourAt('load', -5));
-  expect(colourAt('load', 1)).toEqual(colourAt('load', 7));
-  expect(colourAt('stress', Number.NaN)).toEqual(colourAt('stress', 0));
-  expect(niceRange(3, 316.2)).toEqual([0, 400]);
-  expect(niceRange(5, 5)).toEqual([4.5, 5.5]);
+  expect(loadShares(0)).toEqual(loadShares(-5));
+  expect(loadShares(1)).toEqual(loadShares(7));
+  const scale = { low: 0, top: 10, high: 20 };
+  expect(valueShares(scale, Number.NaN, [0, 0, 0])).toEqual(valueShares(scale, 0, [0, 0, 0]));
+  expect(valueShares(scale, 10, [0, 0, 0]).map((v) => Math.round(255 * v))).toEqual(readHex(viridis(1)));
+  expect(valueShares(scale, 11, [0, 0, 0])[0]).toBeGreaterThan(valueShares(scale, 11, [0, 0, 0])[1]); // red
+});
+
+test('the scale of the picture ends at the limit, and what lies above it leaves the scale', () => {
+  expect(pictureScale(0, 330, 414)).toEqual({ low: 0, top: 414, high: 414 });
+  expect(pictureScale(0, 450, 414)).toMatchObject({ top: 414, high: 500 });
+  expect(pictureScale(0, 90, 414)).toEqual({ low: 0, top: 90, high: 90 });
+  expect(pictureScale(205, 250, null)).toMatchObject({ low: 200 });
+});
+
+test('stresses have the yield stress of the model as their limit, tension has none', () => {
+  const lay = { key: { overbend: { von_mises: 331.2e6, utilisation: 0.8 } } } as unknown as Parameters<typeof quantityLimit>[1];
+  expect(quantityLimit('von_mises', lay)?.value).toBeCloseTo(414e6, -1);
+  expect(quantityLimit('effective_tension', lay)).toBeNull();
+  expect(quantityLimit('checks', null)).toEqual({ value: 1, name: 'allowable' });
+});
+
+test('no load of a roller has a colour of the pipe', () => {
+  for (let k = 0; k <= 20; ++k) {
+    const load = loadShares(k / 20).map((v) => 255 * v);
+    for (let m = 0; m <= 20; ++m) expect(Math.hypot(...readHex(viridis(m / 20)).map((v, i) => v - load[i]!))).toBeGreaterThan(45);
+    expect(Math.hypot(...readHex(aboveLimit).map((v, i) => v - load[i]!))).toBeGreaterThan(60);
+  }
 });
 
 describe('series', () => {

@@ -1,6 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import { firstOperation, hangingLength, type LaySize } from '../src/logic/firstOperation';
-import { cell, columnsOf, partAt, stageLevel, stageName, whyNot } from '../src/logic/operation';
+import { firstOperation, hangingLength, missingPart, type FirstOperation, type LaySize } from '../src/logic/firstOperation';
+import { cableText, designChanges, headText, listChanges, shortenedEnd, stageCount, stagesText, tensionText, type Fields } from '../src/logic/operationKeys';
+import { stageCharts } from '../src/logic/stageCharts';
+import { cell, columnsOf, isSetting, partAt, stageLevel, stageName, stageTable, whyNot } from '../src/logic/operation';
 import { shape } from '../src/charts/data';
 import { firstItem } from '../src/logic/firstItems';
 import type { Lay, LineParts, Operation, OperationStage, StageValues } from '../src/api/types';
@@ -43,8 +45,16 @@ describe('the table of stages', () => {
     expect(cell(columns.get('top')!, failed)).toBe('–');
   });
   test('judges a stage by its largest utilisation', () => {
-    expect([0.5, 0.9, 1.01, null].map((u) => stageLevel(stage({ values: { ...values, utilisation: u } })))).toEqual(['good', 'near', 'over', 'unknown']);
+    expect([0.5, 0.9, 1.01, null].map((u) => stageLevel(stage({ values: { ...values, utilisation: u } })))).toEqual(['good', 'good', 'over', 'unknown']);
     expect(stageLevel(failed)).toBe('gone');
+  });
+  test('judges a stage by its findings as well', () => expect(stageLevel(stage({ values: { ...values, verdict: 'PASSED WITH RESERVATIONS: 1 serious finding: pipe-off-rollers' } }))).toBe('near'));
+  test('tells what is asked of a stage from what it gives', () => expect(columnsOf(operation([stage({})])).filter(isSetting).map((c) => c.name)).toEqual(['cable out', 'top']));
+  test('goes to a spreadsheet with numbers, and with words where a stage has no solution', () => {
+    const table = stageTable(operation([stage({}), failed]));
+    expect(table.columns[1]).toMatchObject({ title: 'cable out', unit: 'm' });
+    expect(table.rows[0]!.slice(0, 3)).toEqual(['1', 92, 300]);
+    expect(table.rows[1]!.at(-1)).toMatch(/no equilibrium/);
   });
   test('says why a stage cannot be, and what tension would do', () => {
     expect(whyNot(failed)).toBe('no equilibrium, at the winch: too little tension. It can be with 61.5 kN or more at the top.');
@@ -56,7 +66,7 @@ describe('the table of stages', () => {
 
 describe('a first operation', () => {
   const at: LaySize = { joint: 12.2, tip: 85, touchdown: 420, tension: 300e3, bottomTension: 196e3, height: 6, depthAt: () => 89 };
-  const keys = (type: 'abandonment' | 'start_up' | 'move', lay = at): Record<string, Record<string, string>> => Object.fromEntries(firstOperation(type, lay).map((c) => [c.path.replace('operation.', ''), c.value])) as never;
+  const keys = (type: FirstOperation, lay = at): Record<string, Record<string, string>> => Object.fromEntries(firstOperation(type, lay).map((c) => [c.path.replace('operation.', ''), c.value])) as never;
   const number = (text: string | undefined): number => Number.parseFloat(text ?? '');
   test('hangs its cable as a catenary does', () => {
     // H = 200 kN, 200 N/m: a = 1000 m; from the lowest point to 1000 m aside the cable is a sinh(1), its top is a (cosh(1) - 1) higher
@@ -84,9 +94,92 @@ describe('a first operation', () => {
   });
   test('of start-up has an anchor on the bed', () => expect(number(keys('start_up').anchor!.depth)).toBeCloseTo(89, 1));
   test('of a move goes a joint ahead', () => expect(keys('move').stages).toMatchObject({ from: '0 m', to: '12 m' }));
+  test.each(['recovery', 'lay_down'] as const)('of %s has the stages of the abandonment', (type) => {
+    const { type: _a, ...lay } = keys('abandonment'), { type: _b, ...same } = keys(type);
+    expect(same).toEqual(lay);
+  });
+  test('of a shore pull has a winch on the bed, behind the last stage', () => {
+    const k = keys('shore_pull');
+    expect(number(k.winch!.distance)).toBeGreaterThan(number(k.stages!.to));
+    expect(number(k.winch!.depth)).toBeCloseTo(89, 0);
+  });
+  test('of a hold-back draws no more pipe than friction leaves a tension for', () => {
+    const k = keys('hold_back'), weight = (at.tension - at.bottomTension) / (89 + at.height);
+    expect(0.5 * weight * (number(k.stages!.to) - number(k.stages!.from))).toBeLessThan(0.5 * at.bottomTension);
+  });
+  test('of a lift hauls in every davit', () => {
+    const changes = firstOperation('lift', null, { structure: '', tank: '', davits: [{ name: 'davit 1', length: 20 }, { name: 'davit 2', length: 21 }] });
+    const stages = changes.find((c) => c.path === 'operation.stages')!.value as { lengths: Record<string, string> }[];
+    expect(stages.map((s) => s.lengths['davit 1'])).toEqual(['20 m', '18 m', '16 m', '14 m', '12 m']);
+  });
+  test('says what the model lacks for it', () => {
+    const nothing = { structure: '', tank: '', davits: [] };
+    expect(missingPart('passage', nothing)).toMatch(/pipe.structures/);
+    expect(missingPart('lift', nothing)).toMatch(/lines/);
+    expect(missingPart('abandonment', nothing)).toBe('');
+    expect(missingPart('passage', { ...nothing, structure: 'tee' })).toBe('');
+  });
   test('a stage added in the form is one of its operation', () => {
     expect(firstItem('operation.stages', 89, 'abandonment')).toEqual({ cable_out: '50 m' });
     expect(firstItem('operation.stages', 89, 'start_up')).toEqual({ pipe_out: '100 m' });
     expect(firstItem('operation.stages', 89, 'moored')).toEqual({ name: 'stage 1' });
+  });
+});
+
+describe('the settings of an operation', () => {
+  const field = (value: string | number | null, si: number | null = null, kind = 'quantity', count = 0): unknown => ({ value, si, kind, count, given: true, default: null });
+  const even = new Map<string, unknown>([
+    ['operation.type', field('abandonment', null, 'choice')], ['operation.stages', field(null, null, 'map')],
+    ['operation.stages.from', field('30 m', 30)], ['operation.stages.to', field('400 m', 400)], ['operation.stages.steps', field('6', 6, 'integer')], ['operation.stages.tension', field('hold', null, 'choice')],
+    ['operation.head.length', field('6 m', 6)], ['operation.head.weight_in_air', field('40 kN', 40e3)], ['operation.cable.diameter', field('76 mm', 0.076)], ['operation.cable.breaking_load', field('4200 kN', 4.2e6)],
+    ['tensioner.tension', field('250 kN', 250e3)],
+  ]) as unknown as Fields;
+  const listed = new Map<string, unknown>([
+    ['operation.type', field('recovery', null, 'choice')], ['operation.stages', field(null, null, 'list', 3)],
+    ...[60, 170, 400].flatMap((out, i) => [[`operation.stages[${i}].cable_out`, field(`${out} m`, out)], [`operation.stages[${i}].tension`, field(`${280 - 60 * i} kN`, 280e3 - 60e3 * i)]] as [string, unknown][]),
+  ]) as unknown as Fields;
+  test('are said in words', () => {
+    expect([headText(even), cableText(even)]).toEqual(['6 m, 40 kN', '76 mm, 4200 kN']);
+    expect([stagesText(even), tensionText(even)]).toEqual(['7, cable out 30 to 400 m', 'held, 250 kN']);
+    expect([stagesText(listed), tensionText(listed)]).toEqual(['3, cable out 60 to 400 m', '280 … 160 kN']);
+    expect(stageCount(listed)).toBe(3);
+  });
+  test('of a procedure that is designed seek the tension, within the limits that are given', () => {
+    expect(designChanges(even)).toEqual([{ path: 'operation.stages.tension', value: 'seek' }, { path: 'operation.stages.limits', value: { utilisation: 0.9 } }]);
+    const limited = new Map([...even, ['operation.stages.limits.tip_clearance', field('0.3 m', 0.3)]]) as unknown as Fields;
+    expect(designChanges(limited)).toEqual([{ path: 'operation.stages.tension', value: 'seek' }]);
+    expect(tensionText(new Map([...limited, ['operation.stages.tension', field('seek', null, 'choice')]]) as unknown as Fields)).toBe('seek: tip clear by 0.3 m');
+  });
+  const procedure = (clearances: number[]): OperationStage[] => clearances.map((head_clearance, i) => stage({ out: 100 * (i + 1), values: { ...values, head_clearance } }));
+  test('of a procedure that is designed end a stage behind the one with which the head lies on the bed', () => {
+    expect(shortenedEnd('abandonment', procedure([60, 20, 0.1, -0.05, -0.05, -0.05]))).toBe(400);
+    expect(shortenedEnd('recovery', procedure([60, 20, 0.1, -0.05, -0.05, -0.05]).reverse())).toBe(400);
+    expect(shortenedEnd('abandonment', procedure([60, 40, 20, 0.1, -0.05]))).toBeNull();
+    expect(shortenedEnd('abandonment', procedure([60, 40, 20, 10]))).toBeNull();
+    expect(shortenedEnd('start_up', procedure([60, 20, 0.1, -0.05, -0.05, -0.05]))).toBeNull();
+  });
+  test('of listed stages are designed at as many even steps', () => expect(designChanges(listed)).toEqual([{ path: 'operation.stages', value: { from: '60 m', to: '400 m', steps: 2, tension: 'seek', limits: { utilisation: 0.9 } } }]));
+  test('are listed with the tensions that were found, a recovery from the vessel to the bed', () => {
+    const list = (type: string): unknown => listChanges(type, [stage({ out: 30 }), stage({ name: 'low', out: 400, tension: 120e3 })])[0]!.value;
+    expect(list('abandonment')).toEqual([{ cable_out: '30 m', tension: '300 kN' }, { name: 'low', cable_out: '400 m', tension: '120 kN' }]);
+    expect(list('recovery')).toEqual([{ name: 'low', cable_out: '400 m', tension: '120 kN' }, { cable_out: '30 m', tension: '300 kN' }]);
+  });
+});
+
+describe('diagrams over the stages', () => {
+  const two = operation([stage({ out: 200, values: { ...values, top_tension: 200e3, cable_tension: 200e3 } }), stage({ out: 92 }), { ...failed, out: 150 }]);
+  test('run with what has gone out, whatever the order of the stages', () => {
+    const { charts, stages, x } = stageCharts(two);
+    expect(charts[0]!.x).toEqual([92, 150, 200]);
+    expect(stages).toEqual([1, 2, 0]);
+    expect(x).toEqual([200, 92, 150]);
+    expect(charts[0]!.lines.map((l) => l.name)).toEqual(['top', 'bottom']);
+    expect(charts[0]!.lines[0]!.values).toEqual([300, null, 200]);
+  });
+  test('are only those that say something', () => {
+    const titles = stageCharts(two).charts.map((chart) => chart.title);
+    expect(titles).toContain('Utilisation');
+    expect(titles).not.toContain('Clearance at the stinger tip');
+    expect(titles).not.toContain('Vessel ahead');
   });
 });

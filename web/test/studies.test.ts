@@ -1,37 +1,68 @@
-// The study file that the page writes, and where its cases lie in a chart.
+// The study file that the page writes, and how its cases lie in tables and charts.
 import { expect, test } from 'vitest';
 import type { Matrix, MatrixCase } from '../src/api/types';
-import { axisYaml, caseCount, cellsOver, spreadAxes, studyFault, studyYaml, tally, worstValue, type StudyWish } from '../src/logic/studies';
+import { depthLimits, gridFault, gridYaml, usualLimits } from '../src/logic/layGrid';
+import { baseCase, cellsOver, governingChecks, gridAxes, kUtilisation, shapeOf, spreadAxes, swings, tally, worstValue } from '../src/logic/studies';
+import { axisValues, axisYaml, caseCount, emptyAxis, roundRange, studyFault, studyYaml, type AxisWish, type ModelKeys, type StudyWish } from '../src/logic/studyFile';
+import { casesTable, decimals, studySheets, tensionTable } from '../src/logic/studyTables';
 
-const wish: StudyWish = { analysis: 'static', axes: [{ key: 'tensioner.tension', values: '200 kN..400 kN/21' }, { key: 'environment.water_depth', values: '80, 89, 100 m' }], seeds: '', duration: '', gather: '', limit: '' };
-const units = (key: string): string => (key === 'tensioner.tension' ? 'kN' : 'm');
+const tension: AxisWish = { key: 'tensioner.tension', from: '200 kN', to: '400', count: '21', list: '' };
+const depth: AxisWish = { ...emptyAxis('environment.water_depth'), list: '80, 89, 100 m' };
+const wish: StudyWish = { analysis: 'static', axes: [tension, depth], seeds: '', duration: '', gather: '', over: '', resolution: '' };
+const model: ModelKeys = { unit: (key) => (key === 'tensioner.tension' ? 'kN' : 'm'), value: (key) => (key === 'tensioner.tension' ? '250 kN' : '89 m') };
 
 test('axes are ranges or lists, and numbers take the unit of their key', () => {
-  expect(axisYaml(wish.axes[0]!, 'kN')).toBe('{key: tensioner.tension, from: 200 kN, to: 400 kN, steps: 21}');
-  expect(axisYaml(wish.axes[1]!, 'm')).toBe('{key: environment.water_depth, values: [80 m, 89 m, 100 m]}');
-  expect(axisYaml({ key: 'environment.waves.type', values: 'jonswap, pierson_moskowitz' }, '')).toBe('{key: environment.waves.type, values: [jonswap, pierson_moskowitz]}');
-  expect(axisYaml({ key: 'tensioner.tension', values: 'much..more/3' }, 'kN')).toBeNull();
-  expect(axisYaml({ key: 'supports.stinger.boxes[stinger 3].z', values: '1 m' }, 'm')).toContain('"supports.stinger.boxes[stinger 3].z"');
+  expect(axisYaml(tension, 'kN')).toBe('{key: tensioner.tension, from: 200 kN, to: 400 kN, steps: 21}');
+  expect(axisYaml(depth, 'm')).toBe('{key: environment.water_depth, values: [80 m, 89 m, 100 m]}');
+  expect(axisYaml({ ...emptyAxis('tensioner.tension'), list: '200 kN..400 kN/21' }, 'kN')).toBe(axisYaml(tension, 'kN'));
+  expect(axisYaml({ ...emptyAxis('environment.waves.type'), list: 'jonswap, pierson_moskowitz' }, '')).toBe('{key: environment.waves.type, values: [jonswap, pierson_moskowitz]}');
+  expect(axisYaml({ ...tension, from: 'much' }, 'kN')).toBeNull();
+  expect(axisYaml({ ...emptyAxis('supports.stinger.boxes[stinger 3].z'), list: '1 m' }, 'm')).toContain('"supports.stinger.boxes[stinger 3].z"');
+  expect(axisValues({ ...tension, to: '0.4 MN', count: '3' }, 'kN')).toEqual(['200 kN', '300 kN', '400 kN']);
 });
 
-test('every combination is a case, with every seed in time', () => {
-  expect(caseCount(wish)).toBe(63);
-  expect(caseCount({ ...wish, seeds: '1-5' })).toBe(63);
-  expect(caseCount({ ...wish, analysis: 'dynamic', seeds: '1-5' })).toBe(315);
+test('every combination is a case, with every seed in time, and one at a time a case for each value', () => {
+  expect(caseCount('study', wish)).toBe(63);
+  expect(caseCount('study', { ...wish, seeds: '1-5' })).toBe(63);
+  expect(caseCount('study', { ...wish, analysis: 'dynamic', seeds: '1-5' })).toBe(315);
+  expect(caseCount('operability', { ...wish, over: 'tensioner.tension' })).toBe(3);
+  expect(caseCount('each', wish)).toBe(25);
 });
 
-test('the file has what the form says', () => {
-  const text = studyYaml({ ...wish, analysis: 'dynamic', seeds: '1-2', duration: '60 s', gather: 'dynamic.top_tension.max', limit: 'environment.water_depth' }, 'lay.yaml', units);
+test('the file has what the fields say', () => {
+  const text = studyYaml('study', { ...wish, analysis: 'dynamic', seeds: '1-2', duration: '60 s', gather: 'dynamic.top_tension.max' }, 'lay.yaml', model);
   expect(text).toContain('analysis: dynamic\nduration: 60 s\naxes:\n  - {key: tensioner.tension');
-  expect(text).toContain('seeds: [1, 2]\ngather: [dynamic.top_tension.max]\noperability: {over: environment.water_depth, criterion: checks}\n');
+  expect(text).toContain('seeds: [1, 2]\ngather: [dynamic.top_tension.max]\n');
+  expect(studyYaml('operability', { ...wish, over: 'environment.water_depth', resolution: '5' }, 'lay.yaml', model))
+    .toContain('operability: {over: environment.water_depth, resolution: 5 m, criterion: checks}\n');
+});
+
+test('one at a time starts from the case of the model and changes one key in each case', () => {
+  const axes = [{ ...tension, list: '240, 260' }, { ...depth, list: '80' }];
+  const text = studyYaml('each', { ...wish, axes }, 'lay.yaml', model);
+  expect(text).toContain('{key: tensioner.tension, values: [250 kN, 240 kN, 260 kN, 250 kN]}');
+  expect(text).toContain('{key: environment.water_depth, values: [89 m, 89 m, 89 m, 80 m], with: tensioner.tension}');
 });
 
 test('what cannot be asked for is said before it is sent', () => {
-  expect(studyFault(wish, units)).toBeNull();
-  expect(studyFault({ ...wish, axes: [] }, units)).toMatch(/choose a key/);
-  expect(studyFault({ ...wish, axes: [{ key: 'tensioner.tension', values: '' }] }, units)).toMatch(/values like/);
-  expect(studyFault({ ...wish, axes: [wish.axes[0]!, wish.axes[0]!] }, units)).toMatch(/once/);
-  expect(studyFault({ ...wish, limit: 'vessel.trim' }, units)).toMatch(/not one/);
+  expect(studyFault('study', wish, model)).toBeNull();
+  expect(studyFault('study', { ...wish, axes: [] }, model)).toMatch(/add a key/);
+  expect(studyFault('study', { ...wish, axes: [emptyAxis('tensioner.tension')] }, model)).toMatch(/from and to/);
+  expect(studyFault('study', { ...wish, axes: [tension, tension] }, model)).toMatch(/once/);
+  expect(studyFault('operability', { ...wish, over: 'vessel.trim' }, model)).toMatch(/choose the key/);
+});
+
+test('ranges about the value of a model are round', () => {
+  expect(roundRange(71.2, 111, 5)).toEqual([70, 110]);
+  expect(roundRange(200, 375, 8)).toEqual([200, 375]);
+  expect(roundRange(0.08, 0.16, 9)).toEqual([0.08, 0.16]);
+});
+
+test('a lay table of depths by tensions is a study of both', () => {
+  const grid = { rows: { ...emptyAxis(), from: '70 m', to: '110 m' }, columns: tension };
+  expect(gridYaml(grid, 'lay.yaml', model)).toContain('- {key: environment.water_depth, from: 70 m, to: 110 m, steps: 5}\n  - {key: tensioner.tension, from: 200 kN');
+  expect(gridFault(grid, model)).toBeNull();
+  expect(gridFault({ ...grid, rows: { ...grid.rows, to: '' } }, model)).toMatch(/depths/);
 });
 
 const one = (number: number, at: number[], value: number | null, more: Partial<MatrixCase> = {}): MatrixCase =>
@@ -60,4 +91,48 @@ test('of several seeds the one farther out counts', () => {
   expect(worstValue(seeds, 0, 'dynamic.top_tension.max')).toBe(5);
   expect(worstValue(seeds, 0, 'dynamic.top_tension.min')).toBe(3);
   expect(worstValue([one(0, [], null)], 0, 'x')).toBeNull();
+});
+
+const laid = (number: number, at: [number, number], tensionHere: number, utilisation: number | null, governing = 'A'): MatrixCase => (
+  { ...one(number, at, utilisation), words: [`${70 + 10 * at[0]} m`, `${tensionHere} kN`], inputs: [70 + 10 * at[0], tensionHere], utilisation, governing,
+    verdict: utilisation === null ? 'not judged' : utilisation > 1 ? 'exceeded' : 'passed', values: [300 + at[1]] });
+const layGrid = (cases: MatrixCase[]): Matrix => (
+  { ...matrix(cases), inputs: [axis('environment.water_depth', ['70', '80']), axis('tensioner.tension', ['200', '300', '400'], { unit: 'kN' })],
+    outputs: [{ name: 'static.lay_back', unit: 'm' }] });
+const solvedGrid = layGrid([laid(0, [0, 0], 200, 1.2), laid(1, [0, 1], 300, 0.8), laid(2, [0, 2], 400, 0.9), laid(3, [1, 0], 200, null), laid(4, [1, 1], 300, 0.7, 'B'), laid(5, [1, 2], 400, 1.3)]);
+
+test('each depth has the tensions that keep the limit, between two of them where one check governs at both', () => {
+  expect(gridAxes(solvedGrid)).toEqual([1, 0]);
+  const [first, second] = depthLimits(solvedGrid, 1, 0, {}, usualLimits);
+  expect(first!.least).toMatchObject({ tension: 250, open: false, because: 'A', layBack: 301 });
+  expect(first!.most).toMatchObject({ tension: 400, open: true });
+  expect(second!.least).toMatchObject({ tension: 300, because: 'no solution' });
+  expect(second!.most).toMatchObject({ tension: 300, because: 'A' });
+  expect(depthLimits(solvedGrid, 1, 0, {}, { ...usualLimits, utilisation: 0.6 })[0]).toMatchObject({ least: null, most: null });
+  const table = tensionTable(solvedGrid, [1, 0], [first!, second!]);
+  expect(table.rows[0]).toEqual([70, '250', '≥ 400', 301, 302, 'A', '']);
+});
+
+test('a workbook has the table, what governs, the tensions and all cases', () => {
+  const tables = studySheets(solvedGrid, [1, 0], {}, depthLimits(solvedGrid, 1, 0, {}, usualLimits));
+  expect(tables.map(({ title }) => title)).toEqual(['Utilisation', 'Governing check', 'Tensions', 'Cases']);
+  expect(tables[0]!.rows[0]).toEqual(['70', 1.2, 0.8, 0.9]);
+  expect(tables[0]!.columns.map(({ title }) => title)).toEqual(['water depth', '200 kN', '300 kN', '400 kN']);
+  expect(casesTable(solvedGrid).rows).toHaveLength(6);
+  expect(governingChecks(solvedGrid).map(({ name, count }) => [name, count])).toEqual([['A', 4], ['B', 1]]);
+});
+
+test('one key at a time is seen by its cases, and each key has its swing', () => {
+  const cases = [laid(0, [0, 0], 250, 0.8), laid(1, [0, 1], 240, 0.9), laid(2, [0, 2], 260, 0.7), { ...laid(3, [1, 0], 250, 0.95), words: ['80 m', '250 kN'] }];
+  const each: Matrix = { ...layGrid(cases), inputs: [axis('environment.water_depth', ['70', '70', '70', '80']), axis('tensioner.tension', ['250', '240', '260', '250'], { with: 'environment.water_depth' })] };
+  expect(shapeOf(each)).toBe('each');
+  expect(swings(each, baseCase(each)!, kUtilisation).map(({ key, low, high }) => [key, low, high])).toEqual([['tensioner.tension', 0.7, 0.9], ['environment.water_depth', 0.8, 0.95]]);
+  expect(baseCase(solvedGrid)).toBeNull();
+});
+
+test('numbers have the decimals that they need', () => {
+  expect(decimals([70, 80])).toBe(0);
+  expect(decimals([1.5, 2])).toBe(1);
+  expect(decimals([0.123456, 0.2])).toBe(4);
+  expect(decimals([331.467])).toBe(1);
 });

@@ -81,7 +81,7 @@ std::string bodies_in_time(const std::vector<BodyDynamics>& bodies) {
   return text;
 }
 
-std::string lines_at_rest(const std::vector<LineResult>& lines) {
+std::string lines_at_rest_text(const std::vector<LineResult>& lines) {
   std::string text;
   for (const LineResult& line : lines) text += line_text(line, nullptr);
   return text;

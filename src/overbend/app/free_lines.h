@@ -11,7 +11,7 @@ namespace overbend {
 std::string attachment_lines(const StaticResults& results);
 
 /// At rest; empty without lines.
-std::string lines_at_rest(const std::vector<LineResult>& lines);
+std::string lines_at_rest_text(const std::vector<LineResult>& lines);
 
 /// With a run's tensions.
 std::string lines_in_time(const std::vector<LineResult>& lines, const std::vector<LineDynamics>& in_time);

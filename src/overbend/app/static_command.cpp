@@ -95,7 +95,7 @@ void print_results(const StaticResults& r) {
   if (r.has_pipe()) print_pipe(r);
   if (r.moorings) std::cout << moored_state_lines(*r.moorings);
   if (r.hull) std::cout << hull_lines(*r.hull);
-  std::cout << (r.has_pipe() ? "" : lines_at_rest(r.lines)) << bodies_at_rest(r.bodies) << check_lines(r.checks);
+  std::cout << (r.has_pipe() ? "" : lines_at_rest_text(r.lines)) << bodies_at_rest(r.bodies) << check_lines(r.checks);
   if (r.has_pipe()) print_solver(r);
   std::cout << verdict_line(r.checks, r.findings) << finding_lines(r.findings);
 }

@@ -69,10 +69,16 @@ void read_point(const TextRow& remark, std::optional<Vec3>& point, TableFaults& 
   }
 }
 
-/// A remark that defines a key; others are ignored.
-void read_remark(const TextRow& remark, RaoSettings& stated, TableFaults& faults) {
+/// A remark that defines a key or states an assumption; others are ignored.
+void read_remark(const TextRow& remark, RaoFile& content, TableFaults& faults) {
+  constexpr std::size_t kLongestAssumption = 500;
   if (remark.cells.size() != 2) return;
   const std::string key(remark.cells[0]), word(remark.cells[1]);
+  RaoSettings& stated = content.stated;
+  if (key == "assumption" && !word.empty()) {
+    content.assumptions.push_back(for_display(word, kLongestAssumption));
+    return;
+  }
   if (key == "reference") return read_point(remark, stated.reference, faults);
   if (key == "wave_origin") return read_point(remark, stated.wave_origin, faults);
   for (const ConventionKey& known : convention_keys()) {
@@ -163,7 +169,7 @@ RaoFile read_csv(const std::string& text, const std::string& file, Diagnostics& 
   TableFaults faults(file, diagnostics);
   const TextTable table = split_table(text, ',');
   RaoFile content;
-  for (const TextRow& remark : table.remarks) read_remark(remark, content.stated, faults);
+  for (const TextRow& remark : table.remarks) read_remark(remark, content, faults);
   if (table.rows.empty()) return content;
   const std::optional<Columns> columns = find_columns(table.rows.front(), faults);
   if (!columns) return content;

@@ -15,6 +15,7 @@ struct RaoFile {
   std::vector<RaoRecord> records;
   RaoSettings stated;
   RaoSymmetry symmetry = RaoSymmetry::unstated;
+  std::vector<std::string> assumptions;  ///< Sentences about the origin of the numbers, for reports.
 };
 
 /// Each takes the file's text; faults go to `diagnostics`. `given` chooses among several vessel types and draughts.

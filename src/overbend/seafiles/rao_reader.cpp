@@ -15,6 +15,15 @@
 namespace overbend {
 namespace {
 
+/// In lower case: ".csv".
+std::string file_ending(const std::string& file) {
+  return lower_case(std::filesystem::path(file).extension().string());
+}
+
+bool is_orcaflex(const std::string& ending) {
+  return ending == ".yml" || ending == ".yaml";
+}
+
 /// The convention, in increasing priority: the named set, the file's statements, the user's.
 ConventionWords settle(const std::string& set, const RaoSettings& stated, const RaoSettings& given) {
   ConventionWords words = convention_set(given.set.empty() ? set : given.set);
@@ -80,20 +89,26 @@ RaoTable sides_alike(RaoTable table, double depth) {
 
 std::optional<RaoTable> read_raos(const std::string& file, const RaoSettings& given, double depth,
                                   Diagnostics& diagnostics) {
-  const std::string ending = lower_case(std::filesystem::path(file).extension().string());
-  const bool orcaflex = ending == ".yml" || ending == ".yaml";
-  if (ending != ".csv" && ending != ".4" && !orcaflex) {
+  const std::string ending = file_ending(file);
+  if (ending != ".csv" && ending != ".4" && !is_orcaflex(ending)) {
     diagnostics.add({Severity::error, file, 0, 0, "", "a file ending in '" + for_display(ending) + "'",
                      ".csv, .4 (WAMIT) or .yml (OrcaFlex)", ""});
     return std::nullopt;
   }
   const std::optional<std::string> text = read_text_file(file, diagnostics);
   if (!text) return std::nullopt;
+  return read_rao_text(*text, file, given, depth, diagnostics);
+}
+
+std::optional<RaoTable> read_rao_text(const std::string& text, const std::string& file, const RaoSettings& given,
+                                      double depth, Diagnostics& diagnostics) {
+  const std::string ending = file_ending(file);
+  const bool orcaflex = is_orcaflex(ending);
   Diagnostics faults;
-  const rao_formats::RaoFile content = orcaflex ? rao_formats::read_orcaflex(*text, file, given, faults)
+  const rao_formats::RaoFile content = orcaflex ? rao_formats::read_orcaflex(text, file, given, faults)
                                        : ending == ".4"
-                                           ? rao_formats::read_wamit(*text, file, column(given, depth), faults)
-                                           : rao_formats::read_csv(*text, file, faults);
+                                           ? rao_formats::read_wamit(text, file, column(given, depth), faults)
+                                           : rao_formats::read_csv(text, file, faults);
   for (const Diagnostic& fault : faults.sorted()) diagnostics.add(fault);
   if (faults.has_errors()) return std::nullopt;
   const std::string type_set = orcaflex ? "orcaflex" : ending == ".4" ? "wamit" : "house";
@@ -101,6 +116,9 @@ std::optional<RaoTable> read_raos(const std::string& file, const RaoSettings& gi
   const RaoTranslation translation(settle(set, content.stated, given), given.length_scale, depth);
   std::optional<RaoTable> table = assemble_raos(content, translation, file, diagnostics);
   if (!table) return std::nullopt;
+  for (const std::string& sentence : content.assumptions) {
+    table->assumptions.push_back({AssumptionRank::governing, sentence});
+  }
   place_points(*table, set, content.stated, given);
   return sides_alike(std::move(*table), depth);
 }

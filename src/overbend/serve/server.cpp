@@ -2,6 +2,7 @@
 
 #include "serve/model/data_files.h"
 #include "serve/model/lay_table_routes.h"
+#include "serve/model/library_hull.h"
 #include "serve/model/model_routes.h"
 #include "serve/model/seek_routes.h"
 #include "serve/model/sensitivity_routes.h"
@@ -19,6 +20,7 @@ Server::Server(const ServeOptions& options)
   std::vector<HttpRoute> routes;
   add_model_routes(routes, model_);
   add_data_routes(routes, model_.folder().path());
+  add_hull_routes(routes, model_.folder().path());
   add_static_routes(routes, model_, statics_);
   add_operation_routes(routes, model_, operation_);
   add_lay_table_routes(routes, model_, lay_tables_);

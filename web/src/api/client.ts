@@ -12,6 +12,15 @@ export function address(path: string): string {
   return `/api/${path}${path.includes('?') ? '&' : '?'}token=${encodeURIComponent(token)}`;
 }
 
+let noteAnswer: (answered: boolean) => void = () => undefined;
+/** `note` is called after every request with whether the program answered it. */
+export const watchAnswers = (note: (answered: boolean) => void): void => { noteAnswer = note; };
+
+function noAnswer(): ApiError {
+  noteAnswer(false);
+  return new ApiError('The program does not answer. Is `overbend serve` still running?', 0, 'Start it again and open the address it prints.', null);
+}
+
 export async function ask<T>(method: string, path: string, body?: unknown): Promise<T> {
   let answer: Response;
   try {
@@ -21,11 +30,14 @@ export async function ask<T>(method: string, path: string, body?: unknown): Prom
       ...(body === undefined ? {} : { body: JSON.stringify(body) }),
     });
   } catch {
-    throw new ApiError('The program does not answer. Is `overbend serve` still running?', 0, 'Start it again and open the address it prints.', null);
+    throw noAnswer();
   }
   const text = await answer.text();
   let data: unknown = null;
   try { data = text ? JSON.parse(text) : null; } catch { /* not JSON: said below */ }
+  // the program gives its reasons as JSON: other words are those of a proxy that does not reach it
+  if (!answer.ok && data === null && answer.status !== 401) throw noAnswer();
+  noteAnswer(true);
   if (answer.ok) return data as T;
   const error = (data as { error?: { message?: string; hint?: string } } | null)?.error;
   const words = error?.message ?? (answer.status === 401 ? 'This page belongs to an earlier start of the program.' : `The program refused (${answer.status}).`);

@@ -92,6 +92,11 @@ export interface Run {
   has_results: boolean;
   /** It can go on from its checkpoint. */
   resumable?: boolean;
+  /** Asked for [s]; 0 that of the model. */
+  duration?: number;
+  /** Once there are results: the verdict, and the largest utilisation of the governing checks. */
+  verdict?: { kind: VerdictKind; words: string };
+  utilisation?: number;
   time?: number; end?: number; top_tension?: number; worst_stress?: number;
 }
 

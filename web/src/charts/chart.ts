@@ -8,6 +8,7 @@ import { axisNames } from '../logic/show';
 import { tidy } from '../logic/units';
 import { diagramRows, type ChartData } from './data';
 import { drawing } from './drawing';
+import { inkOnPage } from './ink';
 import { drawLevel, nameLevels, nameMarks } from './marks';
 
 export interface ChartHandlers {
@@ -88,9 +89,9 @@ export class Chart {
       scales: { x: { time: false, ...(bars ? { range: (_u: uPlot, low: number, high: number): [number, number] => { const pad = 0.04 * (high - low || 1); return [low - pad, high + pad]; } } : {}) }, y: { range: (_u, low, high) => this.range(low, high) } },
       cursor: { drag: { x: true, y: false, setScale: true }, points: { size: 7 }, focus: { prox: -1 } },
       series: [{}, ...data.lines.map((l, i): uPlot.Series => ({
-        label: l.name, stroke: bars ? undefined : l.colour, width: l.band ? 1 : l.width ?? 1.4, points: { show: false }, pxAlign: 0,
+        label: l.name, stroke: bars ? undefined : inkOnPage(l.colour), width: l.band ? 1 : l.width ?? 1.4, points: { show: false }, pxAlign: 0,
         ...(l.dash ? { dash: [5, 4] } : {}),
-        ...(bars ? { fill: `${l.colour}cc`, width: 0, paths: uPlot.paths.bars!({ size: i === 0 ? [0.7, 40] : [0.35, 20] }) } : {}),
+        ...(bars ? { fill: `${inkOnPage(l.colour)}cc`, width: 0, paths: uPlot.paths.bars!({ size: i === 0 ? [0.7, 40] : [0.35, 20] }) } : {}),
       }))],
       axes: [
         { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 1.7 * em, gap: 3, space: 4 * em, label: xName, labelFont: font, labelSize: 1.35 * em, labelGap: 0 },
@@ -112,7 +113,7 @@ export class Chart {
       },
     };
     const band = data.lines.findIndex((l) => l.band);
-    if (band >= 0) options.bands = [{ series: [band + 1, band + 2], fill: `${data.lines[band]!.colour}38` }];
+    if (band >= 0) options.bands = [{ series: [band + 1, band + 2], fill: `${inkOnPage(data.lines[band]!.colour)}38` }];
     this.plot = new uPlot(options, [[], ...data.lines.map(() => [])] as uPlot.AlignedData, this.box);
     // Of the pointer itself, not of uPlot's cursor: it tells of a cursor that was set from here as well, and later.
     this.plot.over.addEventListener('mousemove', (e) => this.hover(e));
@@ -168,7 +169,7 @@ export class Chart {
       ctx.beginPath(); ctx.moveTo(x, y - (Number.isNaN(m.y) ? 6 * d : 0)); ctx.lineTo(x - 3 * d, y + (Number.isNaN(m.y) ? 0 : 5 * d)); ctx.lineTo(x + 3 * d, y + (Number.isNaN(m.y) ? 0 : 5 * d)); ctx.fill();
     }
     nameLevels(u, this.data?.level ?? [], (name) => this.colour(name));
-    nameMarks(u, this.data?.marks ?? [], (name) => this.colour(name));
+    nameMarks(u, this.data?.marks ?? [], this.data?.level ?? [], (name) => this.colour(name));
     if (this.extra.now !== null && this.extra.now !== undefined) {
       const x = u.valToPos(this.extra.now, 'x', true);
       if (x >= bbox.left && x <= bbox.left + bbox.width) {

@@ -69,19 +69,22 @@ function curvesBetween(u: uPlot, left: number, right: number): [number, number] 
 }
 
 /** Names of the boxes upright at their marks, as many as there is room for beside each other and off the curves. */
-export function nameMarks(u: uPlot, marks: ChartData['marks'], colour: Colour): void {
+export function nameMarks(u: uPlot, marks: ChartData['marks'], levels: ChartData['level'], colour: Colour): void {
   const { ctx, bbox } = u;
   const d = devicePixelRatio;
   ctx.fillStyle = colour('--soft');
   ctx.font = letters();
   ctx.textBaseline = 'alphabetic';
   const step = 1.1 * Number.parseFloat(ctx.font);
+  // not across the line of a limit
+  const lines = levels.map((level) => u.valToPos(level.y, 'y', true)).filter((y) => y < bbox.top + 0.4 * bbox.height);
+  const top = Math.max(bbox.top, ...lines) + 4 * d;
   let last = -Infinity;
   for (const m of marks) {
     const x = u.valToPos(m.x, 'x', true);
     if (x < bbox.left + 2 * d || x > bbox.left + bbox.width || x - last < step) continue;
     const length = ctx.measureText(m.label).width;
-    const room = { top: bbox.top + 4 * d, bottom: bbox.top + bbox.height - 9 * d };
+    const room = { top, bottom: bbox.top + bbox.height - 9 * d };
     const free = Number.isNaN(m.y) && m.over === undefined ? upright(length + 3 * d, room, curvesBetween(u, x - 0.5 * step, x + 0.5 * step)) : 'low';
     if (!free) continue;
     last = x;

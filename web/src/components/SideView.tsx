@@ -19,6 +19,9 @@ type Place = readonly [number, number];
 
 const toPixels = (frame: Frame, points: readonly Place[]): Place[] => points.map(([x, z]) => [frame.x(x), frame.y(z)]);
 
+/** Pixels per metre across and upwards; the axes may run either way. */
+export const pixelsPerMetre = (frame: Frame): Place => [Math.abs(frame.x(1) - frame.x(0)), Math.abs(frame.y(1) - frame.y(0))];
+
 export const polygonIn = (frame: Frame, points: readonly Place[]): string => polygonPoints(toPixels(frame, points));
 
 /** Pipe axis in the elevation. */
@@ -33,10 +36,10 @@ export function Sea({ frame, bed, hull }: SeaProps): VNode {
   const [x0, x1] = frame.x.domain;
   return (
     <g>
-      {lowest < 0 && <polygon points={polygonIn(frame, [[x0, surface], [x1, surface], [x1, lowest], [x0, lowest]])} fill="#eaf3f9" opacity="0.75" />}
-      {bed.length > 0 && <polygon points={polygonIn(frame, [...bed, [x1, lowest - 1], [x0, lowest - 1]])} fill="#e4dac6" />}
+      {lowest < 0 && <polygon points={polygonIn(frame, [[x0, surface], [x1, surface], [x1, lowest], [x0, lowest]])} fill="var(--sea, #eaf3f9)" opacity="0.75" />}
+      {bed.length > 0 && <polygon points={polygonIn(frame, [...bed, [x1, lowest - 1], [x0, lowest - 1]])} fill="var(--bed, #e4dac6)" />}
       {highest > 0 && lowest < 0 && <line x1={frame.left} x2={frame.right} y1={frame.y(0)} y2={frame.y(0)} stroke="#6fa8cc" stroke-width="1.2" />}
-      {hull.length > 0 && <polygon points={polygonIn(frame, hull)} fill="#c3ccd5" fill-opacity="0.55" stroke={colours.steel} />}
+      {hull.length > 0 && <polygon points={polygonIn(frame, hull)} fill="var(--hull, #c3ccd5)" fill-opacity="0.55" stroke={colours.steel} />}
     </g>
   );
 }
@@ -50,7 +53,7 @@ export function Surroundings({ frame, lay }: { frame: Frame; lay: LayData }): VN
 }
 
 /** Schematic structure: two chords below the boxes, posts at the boxes. */
-function Structure({ frame, boxes }: { frame: Frame; boxes: SupportData[] }): VNode {
+export function Structure({ frame, boxes }: { frame: Frame; boxes: SupportData[] }): VNode {
   const chord = (down: number): Place[] =>
     boxes.flatMap((box) => [-0.5, 0.5].map((k) => belowBox(box, k * box.length, down))).map((p) => [p[0], p[2]] as const);
   const [upper, lower] = [chord(0.55), chord(boxes[0]!.stinger ? 1.9 : 0.9)];
@@ -65,11 +68,13 @@ function Structure({ frame, boxes }: { frame: Frame; boxes: SupportData[] }): VN
 }
 
 function BottomRoller({ frame, roller }: { frame: Frame; roller: RollerData }): VNode {
+  const [across, upwards] = pixelsPerMetre(frame);
   return (
-    <circle
+    <ellipse
       cx={frame.x(roller.p[0] - roller.radius * roller.normal[0])}
       cy={frame.y(roller.p[2] - roller.radius * roller.normal[2])}
-      r={frame.x(roller.radius) - frame.x(0)}
+      rx={roller.radius * across}
+      ry={roller.radius * upwards}
       fill={roller.reaction > 0 ? rollerLooks.contact : rollerLooks.noContact}
       stroke={frameColour}
       stroke-width="0.8"
@@ -98,7 +103,7 @@ function SideRoller({ frame, roller, front }: { frame: Frame; roller: RollerData
   );
 }
 
-function Rollers({ frame, boxes, position }: { frame: Frame; boxes: SupportData[]; position: RollerData['position'] }): VNode {
+export function Rollers({ frame, boxes, position }: { frame: Frame; boxes: SupportData[]; position: RollerData['position'] }): VNode {
   const rollers = boxes.flatMap((box) => box.rows.flatMap((row) => row.rollers)).filter((roller) => roller.position === position);
   return (
     <g>
@@ -109,15 +114,15 @@ function Rollers({ frame, boxes, position }: { frame: Frame; boxes: SupportData[
   );
 }
 
-/** The pipe with its true diameters. */
-function TruePipe({ frame, lay }: { frame: Frame; lay: LayData }): VNode {
-  const diameter = lay.pipe_outer_diameter * (frame.x(1) - frame.x(0));
-  const steel = lay.steel_outer_diameter * (frame.x(1) - frame.x(0));
+/** The pipe with its true diameters, at the scale across. */
+export function TruePipe({ frame, lay }: { frame: Frame; lay: LayData }): VNode {
+  const [across] = pixelsPerMetre(frame);
+  const [diameter, steel] = [lay.pipe_outer_diameter * across, lay.steel_outer_diameter * across];
   const d = linePath(toPixels(frame, elevationOf(lay, stationsUpTo(lay, wholeEnd(lay)))));
   return (
     <g fill="none" stroke-linejoin="round">
-      <path d={d} stroke={frameColour} stroke-width={diameter + 1.2} />
-      <path d={d} stroke="#dfe5ea" stroke-width={Math.max(diameter - 0.6, 0.8)} />
+      <path d={d} stroke="var(--outline, #3d4a56)" stroke-width={Math.max(diameter + 1.2, 2.6)} />
+      <path d={d} stroke="var(--coating, #dfe5ea)" stroke-width={Math.max(diameter - 0.6, 0.8)} />
       <path d={d} stroke={colours.pipe} stroke-width={steel} stroke-opacity="0.5" />
       {diameter > 14 && <path d={d} stroke="#fff" stroke-width="1" stroke-dasharray="14 4 3 4" />}
     </g>
@@ -125,7 +130,7 @@ function TruePipe({ frame, lay }: { frame: Frame; lay: LayData }): VNode {
 }
 
 /** Height of the pipe's axis over the middle of a box: it need not rest there. */
-function pipeAbove({ stations: { x, z } }: LayData, box: SupportData): number {
+export function pipeAbove({ stations: { x, z } }: LayData, box: SupportData): number {
   const i = x.findIndex((_, k) => k > 0 && (x[k - 1]! - box.p[0]) * (x[k]! - box.p[0]) <= 0);
   if (i < 0) return box.p[2];
   const t = (box.p[0] - x[i - 1]!) / (x[i]! - x[i - 1]! || 1);

@@ -62,6 +62,27 @@ export function valueColour({ low, top, high }: ValueScale, value: number): stri
   return value > top ? mixed(above, shareBetween(top, high, value)) : mixed(anchors, shareBetween(low, top, value));
 }
 
+const shares = (list: readonly string[]): Rgb[] => list.map((hex) => readHex(hex).map((v) => v / 255) as Rgb);
+const [anchorShares, aboveShares] = [shares(anchors), shares(above)];
+
+/** Colour at `share` of a list of colours, written into `out`; components from 0 to 1. */
+export function mixShares(list: readonly Rgb[], share: number, out: Rgb): Rgb {
+  const place = Math.min(1, Math.max(0, Number.isFinite(share) ? share : 0)) * (list.length - 1);
+  const first = Math.min(list.length - 2, Math.floor(place));
+  for (let k = 0; k < 3; ++k) out[k] = list[first]![k]! + (list[first + 1]![k]! - list[first]![k]!) * (place - first);
+  return out;
+}
+
+/** The colour of a value as three numbers from 0 to 1, written into `out` to spare garbage while a picture is drawn. */
+export function valueShares({ low, top, high }: ValueScale, value: number, out: Rgb): Rgb {
+  return value > top ? mixShares(aboveShares, shareBetween(top, high, value), out) : mixShares(anchorShares, shareBetween(low, top, value), out);
+}
+
+/** As the background of a legend, from left to right. */
+export function gradientCss(scale: ValueScale): string {
+  return `linear-gradient(to right, ${gradientStops(scale).map(({ offset, colour }) => `${colour} ${(100 * offset).toFixed(1)}%`).join(', ')})`;
+}
+
 /** Of marks on the colour of a value. */
 export function markColour({ low, top, high }: ValueScale, value: number): string {
   const dark = value > top ? shareBetween(top, high, value) > 0.25 : shareBetween(low, top, value) < 0.55;

@@ -45,7 +45,7 @@ export function rowOrder(table: TableData, order: SortOrder | null): number[] {
 }
 
 /** The column's title with that of its group in front: "Tension: hold [kN]". */
-function fullTitles(table: TableData): string[] {
+export function fullTitles(table: TableData): string[] {
   const groups = (table.groups ?? []).flatMap(([title, span]) => Array<string>(span).fill(title));
   return table.columns.map((column, i) => (groups[i] ? `${groups[i]}: ` : '') + titleWithUnit(column));
 }

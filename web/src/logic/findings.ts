@@ -15,6 +15,10 @@ export interface Bullet {
   full: string;
   /** Key of the model, where there is one to lead to. */
   key: string;
+  /** Name of what it is about, place along the pipe and time, as far as they are known. */
+  object?: string;
+  from_top?: number;
+  time?: number;
 }
 
 const longest = 96;
@@ -71,7 +75,7 @@ const rank: Record<Severity, number> = { serious: 0, caution: 1, note: 2 };
 export function bullets(list: readonly Finding[], boxes: readonly string[]): Bullet[] {
   const out: Bullet[] = [];
   for (const f of list) {
-    const b = bullet(f.message, boxes, '', f.severity, f.code);
+    const b = { ...bullet(f.message, boxes, '', f.severity, f.code), object: f.object, from_top: f.from_top, time: f.time };
     if (!out.some((o) => o.full === b.full)) out.push(b);
   }
   return out.sort((a, b) => rank[a.severity] - rank[b.severity]);

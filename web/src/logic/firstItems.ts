@@ -1,4 +1,6 @@
 // The first item of a list that the form can begin; the next ones are copies of the last.
+import type { Field } from '../api/types';
+import type { Node } from './formTree';
 
 /** Null where it has to be written in the YAML. `depth`: of the water, in m; `operation`: its type. */
 export function firstItem(path: string, depth: number, operation = ''): unknown {
@@ -14,4 +16,18 @@ export function firstItem(path: string, depth: number, operation = ''): unknown 
 export function nextName(name: string): string {
   const counted = /^(.*\D)(\d+)$/.exec(name);
   return counted ? `${counted[1]}${Number(counted[2]) + 1}` : `${name} 2`;
+}
+
+/** A new item of a list is the last one again, so that it is valid at once and only has to be changed. */
+export function copyOf(node: Node<Field>): unknown {
+  if (node.children.length === 0) return node.field!.value;
+  const out: Record<string, unknown> = {};
+  for (const c of node.children) {
+    if (!c.given) continue;
+    const key = c.path.split('.').at(-1)!;
+    // names tell items apart: one that has to be there is counted on
+    if (key === 'name') { if (c.field?.required) out[key] = nextName(String(c.field.value)); continue; }
+    out[key] = copyOf(c);
+  }
+  return out;
 }

@@ -2,7 +2,8 @@
 import type { Change } from '../api/types';
 import { tidy } from './units';
 
-export type FirstOperation = 'abandonment' | 'start_up' | 'move';
+export const firstOperations = ['abandonment', 'recovery', 'lay_down', 'start_up', 'move', 'shore_pull', 'hold_back', 'passage', 'ballast', 'lift'] as const;
+export type FirstOperation = (typeof firstOperations)[number];
 
 /** The lay as far as a first operation needs it. SI units; `tip` and `touchdown` along the pipe from the tensioner. */
 export interface LaySize {
@@ -14,6 +15,20 @@ export interface LaySize {
   /** Water depth at a horizontal distance from the tensioner. */
   depthAt: (distance: number) => number;
 }
+
+/** What some operations need of the model: a structure in the pipe, a tank of the stinger, lines on a pipe with their lengths in m. */
+export interface OperationParts { structure: string; tank: string; davits: { name: string; length: number }[] }
+
+/** Why a model does not have what an operation is of; empty where it has. */
+export function missingPart(type: FirstOperation, parts: OperationParts): string {
+  if (type === 'passage' && !parts.structure) return 'needs a structure in the pipe (pipe.structures)';
+  if (type === 'ballast' && !parts.tank) return 'needs a tank of the stinger (supports.stinger.tanks)';
+  if (type === 'lift' && parts.davits.length === 0) return 'needs lines that hold a pipe of lines (lines with an end on another line)';
+  return '';
+}
+
+/** Without a solved lay these can be made as well: none of their values is sized by it. */
+export const needsLay = (type: FirstOperation): boolean => type !== 'ballast' && type !== 'lift';
 
 // Six-strand wire rope with a wire core, over its squared diameter, as the program makes it of its diameter.
 const rope = { weight: 39126, submerged: 34070, stiffness: 4.04e10, breaking: 6.334e8 };
@@ -51,20 +66,67 @@ const metres = (v: number): string => `${Math.max(1, Math.round(v))} m`;
 const perMetre = (v: number): string => `${tidy(v, 3)} N/m`;
 const force = (v: number): string => `${tidy(v / 1e3, 3)} kN`;
 
-/** Generated stages at the tension of the tensioner, to be changed in the form. */
-export function firstOperation(type: FirstOperation, lay: LaySize): Change[] {
-  const set = (key: string, value: unknown): Change => ({ path: `operation.${key}`, value });
-  const stages = (from: number, to: number, steps: number): Change => set('stages', { from: metres(from), to: metres(to), steps, tension: 'hold' });
-  if (type === 'move') return [set('type', type), set('stages', { from: '0 m', to: metres(lay.joint), steps: 4, tension: 'hold' })];
-  const { diameter, submerged, headWeight } = sized(lay), d2 = diameter ** 2;
-  const head = { length: `${headLength} m`, weight_in_air: force(headWeight / steelInWater), weight_submerged: force(headWeight) };
-  const cable = { diameter: `${tidy(1e3 * diameter)} mm`, weight_in_air: perMetre(rope.weight * d2), weight_submerged: perMetre(submerged), axial_stiffness: force(rope.stiffness * d2), breaking_load: force(rope.breaking * d2) };
-  if (type === 'start_up') {
-    // long enough that the anchor is hardly lifted while all of the cable hangs
-    const length = 1.1 * toTheBed(lay, submerged, 0), far = lay.depthAt(length + lay.touchdown);
-    return [set('type', type), set('head', head), set('cable', { ...cable, length: metres(length) }), set('anchor', { depth: `${tidy(far - diameter / 2, 7)} m` }), stages(lay.tip + 10, lay.touchdown, 6)];
-  }
+const set = (key: string, value: unknown): Change => ({ path: `operation.${key}`, value });
+const evenStages = (from: number, to: number, steps: number): Change => set('stages', { from: metres(from), to: metres(to), steps, tension: 'hold' });
+
+const headKeys = (weight: number): Change => set('head', { length: `${headLength} m`, weight_in_air: force(weight / steelInWater), weight_submerged: force(weight) });
+
+function cableKeys(diameter: number): Record<string, string> {
+  const d2 = diameter ** 2;
+  return {
+    diameter: `${tidy(1e3 * diameter)} mm`, weight_in_air: perMetre(rope.weight * d2), weight_submerged: perMetre(rope.submerged * d2),
+    axial_stiffness: force(rope.stiffness * d2), breaking_load: force(rope.breaking * d2),
+  };
+}
+
+function startUp(lay: LaySize): Change[] {
+  const { diameter, submerged, headWeight } = sized(lay);
+  // long enough that the anchor is hardly lifted while all of the cable hangs
+  const length = 1.1 * toTheBed(lay, submerged, 0), depth = lay.depthAt(length + lay.touchdown);
+  return [
+    set('type', 'start_up'), headKeys(headWeight), set('cable', { ...cableKeys(diameter), length: metres(length) }),
+    set('anchor', { depth: `${tidy(depth - diameter / 2, 7)} m` }), evenStages(lay.tip + 10, lay.touchdown, 6),
+  ];
+}
+
+/** The head goes down on the cable, or up again: both list their stages from the vessel to the bed. */
+function toOrFromBed(type: FirstOperation, lay: LaySize): Change[] {
+  const { diameter, submerged, headWeight } = sized(lay);
   // half of the head's weight at the end of the cable would lift it; over the rollers the cable is longer by less than to the tip
   const out = 1.02 * (lay.tip + toTheBed(lay, submerged, headWeight / 4));
-  return [set('type', type), set('head', head), set('cable', cable), stages(0.3 * lay.tip, Math.ceil(out), 10)];
+  return [set('type', type), headKeys(headWeight), set('cable', cableKeys(diameter)), evenStages(0.3 * lay.tip, Math.ceil(out), 10)];
+}
+
+const pullLength = 600; // m of pipe over the bed, where friction leaves a tension for it
+const pullFriction = 0.5;
+
+/** Pipe that a winch on the bed draws from the vessel; held back, friction may take less than half of the tension. */
+function pull(type: 'shore_pull' | 'hold_back', lay: LaySize): Change[] {
+  const { headWeight } = sized(lay), depth = lay.depthAt(lay.touchdown);
+  const weight = (lay.tension - lay.bottomTension) / (depth + lay.height);
+  const length = type === 'shore_pull' ? pullLength : Math.min(pullLength, (0.4 * lay.bottomTension) / (pullFriction * weight));
+  const from = 1.2 * lay.touchdown, to = from + length, distance = to + 100;
+  const { diameter } = sized({ ...lay, tension: lay.tension + pullFriction * weight * length });
+  return [
+    set('type', type), headKeys(headWeight), set('cable', cableKeys(diameter)),
+    set('winch', { distance: metres(distance), depth: `${tidy(lay.depthAt(distance) - diameter / 2, 7)} m` }), evenStages(from, to, 8),
+  ];
+}
+
+/** Hauls every davit in by steps of 2 m, by no more than half of its length. */
+function lift(davits: OperationParts['davits']): Change[] {
+  const step = Math.min(2, ...davits.map((d) => d.length / 8));
+  const lengths = (k: number): Record<string, string> => Object.fromEntries(davits.map((d) => [d.name, `${tidy(d.length - k * step, 4)} m`]));
+  return [set('type', 'lift'), set('stages', [0, 1, 2, 3, 4].map((k) => ({ name: k ? `hauled in ${tidy(k * step, 3)} m` : 'as drawn', lengths: lengths(k) })))];
+}
+
+/** Stages at the tension of the tensioner, to be changed afterwards. `lay` may be null where needsLay() is false. */
+export function firstOperation(type: FirstOperation, lay: LaySize | null, parts: OperationParts = { structure: '', tank: '', davits: [] }): Change[] {
+  if (type === 'lift') return lift(parts.davits);
+  if (type === 'ballast') return [set('type', type), set('tank', parts.tank), set('stages', [0, 0.25, 0.5, 0.75, 1].map((ballast) => ({ ballast })))];
+  if (!lay) return [];
+  if (type === 'move') return [set('type', type), set('stages', { from: '0 m', to: metres(lay.joint), steps: 4, tension: 'hold' })];
+  if (type === 'passage') return [set('type', type), set('structure', parts.structure), evenStages(Math.max(4, 0.05 * lay.tip), lay.touchdown, 20)];
+  if (type === 'start_up') return startUp(lay);
+  return type === 'shore_pull' || type === 'hold_back' ? pull(type, lay) : toOrFromBed(type, lay);
 }

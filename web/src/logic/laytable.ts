@@ -7,9 +7,9 @@ export interface LayTableWish { vary: LayTableVary; from: string; to: string; st
 const number = (text: string): number | null => { const value = Number.parseFloat(text); return Number.isFinite(value) ? value : null; };
 
 /** "200 kN..400 kN/20", as the program takes it. */
-export const rangeOf = (wish: LayTableWish): string => `${wish.from.trim()}..${wish.to.trim()}/${wish.steps.trim()}`;
+export const rangeText = (wish: LayTableWish): string => `${wish.from.trim()}..${wish.to.trim()}/${wish.steps.trim()}`;
 
-export function wishFault(wish: LayTableWish): string | null {
+export function layWishFault(wish: LayTableWish): string | null {
   const steps = Number(wish.steps);
   if (number(wish.from) === null || number(wish.to) === null) return 'from and to are numbers with their units';
   if (!/[a-zA-Z]/.test(wish.to)) return 'the unit is missing: 400 kN, 120 m';
@@ -24,16 +24,34 @@ export function usualRange(vary: LayTableVary, lay: { top_tension: number; lay_b
   return { vary, from, to, steps: '16' };
 }
 
+/** "tension [kN]": title and unit. */
+function titleParts(heading: string): { title: string; unit?: string } {
+  const [, title = heading, unit] = /^(.*?)(?: \[(.*)\])?$/.exec(heading)!;
+  return { title, unit };
+}
+
+/** Steps by their number, limits by their name. */
+export const layRowName = ({ rows }: LayTable, i: number): string =>
+  (rows[i]!.kind === 'step' ? String(rows.slice(0, i + 1).filter(({ kind }) => kind === 'step').length) : rows[i]!.kind);
+
 /** The rows, with those that are limits set apart. */
-export function layRows({ columns, rows }: LayTable): TableData {
+export function layRows(table: LayTable): TableData {
+  const { columns, rows } = table;
   return {
     title: 'Lay table',
     look: 'lay-rows',
-    columns: columns.map(({ heading, digits }, i) => {
-      const [, title = heading, unit] = /^(.*?)(?: \[(.*)\])?$/.exec(heading)!;
-      return { title, unit, digits: Math.min(digits, 4), words: rows.every((row) => typeof row.cells[i] === 'string') };
-    }),
-    rows: rows.map((row) => row.cells.map((cell) => cell ?? '-')),
+    columns: columns.map(({ heading, digits }, i) => (
+      { ...titleParts(heading), digits: Math.min(digits, 4), words: rows.every((row) => typeof row.cells[i] === 'string') })),
+    rows: rows.map((row, i) => row.cells.map((cell, k) => (k === 0 && cell === row.kind ? layRowName(table, i) : cell ?? '-'))),
     marks: rows.map(({ kind, verdict }) => (kind !== 'step' ? 'limit' : verdict === 'passed' ? '' : verdict === 'reserved' ? 'reserved' : 'over')),
   };
+}
+
+/** Tension and depth of a row as keys of the model; without one that has no lay. */
+export function layRowKeys({ columns, rows }: LayTable, i: number): { key: string; text: string }[] {
+  const value = (title: string, key: string): { key: string; text: string }[] => {
+    const at = columns.findIndex(({ heading }) => titleParts(heading).title === title), cell = rows[i]?.cells[at];
+    return typeof cell === 'number' ? [{ key, text: `${Number(cell.toPrecision(6))} ${titleParts(columns[at]!.heading).unit ?? ''}`.trim() }] : [];
+  };
+  return [...value('top tension', 'tensioner.tension'), ...value('depth', 'environment.water_depth')];
 }

@@ -1,6 +1,7 @@
 // Operations on the line: the table of stages, and what of a stage's line is pipe, head and cable.
 import type { LineParts, Operation, OperationStage, StageValues } from '../api/types';
-import { fixedIn, unitName } from './show';
+import type { Cell, TableData } from '../components/document';
+import { display, fixedIn, unitName } from './show';
 
 export type PartName = 'pipe' | 'head' | 'cable';
 
@@ -16,18 +17,23 @@ export const partColours = (dark: boolean): Record<'head' | 'cable', string> => 
 
 export type StageLevel = 'good' | 'near' | 'over' | 'unknown' | 'gone';
 
-/** By the code checks and the cable's breaking load; `gone` where the stage cannot be. */
+/** By its verdict and utilisation; `gone` where the stage has no solution. */
 export function stageLevel(stage: OperationStage): StageLevel {
   if (!stage.values) return 'gone';
-  const used = stage.values.utilisation;
-  if (used === null) return 'unknown';
-  return used > 1 ? 'over' : used > 0.87 ? 'near' : 'good';
+  const { utilisation, verdict } = stage.values;
+  if ((utilisation ?? 0) > 1 || verdict.startsWith('EXCEEDED')) return 'over';
+  if (verdict.includes('RESERVATION')) return 'near';
+  return utilisation === null ? 'unknown' : 'good';
 }
 
-export const stageColours: Record<StageLevel, string> = { good: '#2e9e57', near: '#e08a00', over: '#c3271b', unknown: '#5b6b7a', gone: '#c3271b' };
+/** The mark says the same as its colour. */
+export const stageLights: Record<StageLevel, { mark: string; text: string }> = {
+  good: { mark: '●', text: 'passes' }, near: { mark: '▲', text: 'passes with reservations' }, over: { mark: '✕', text: 'fails' },
+  unknown: { mark: '○', text: 'not judged' }, gone: { mark: '⊘', text: 'no solution' },
+};
 
-/** `unit`: SI, of values that are shown in the unit of the page; '%' and '' are of their own. */
-export interface StageColumn { name: string; unit: string; title: string; digits: number; value: (s: OperationStage) => number | null }
+/** `unit`: SI, of values that are shown in the unit of the page; '%' and '' are of their own. `setting`: asked of the stage. */
+export interface StageColumn { name: string; unit: string; title: string; digits: number; setting?: 'out' | 'tension'; value: (s: OperationStage) => number | null }
 
 const of = (name: string, unit: string, title: string, digits: number, key: keyof StageValues): StageColumn =>
   ({ name, unit, title, digits, value: (s) => (s.values ? (s.values[key] as number | null) : null) });
@@ -35,8 +41,8 @@ const of = (name: string, unit: string, title: string, digits: number, key: keyo
 /** Columns that say something at any stage. */
 export function columnsOf(o: Operation): StageColumn[] {
   const all: StageColumn[] = [
-    { name: o.out_name.toLowerCase(), unit: 'm', title: 'How far the line has gone', digits: 1, value: (s) => s.out },
-    of('top', 'N', 'Tension at the top', 1, 'top_tension'),
+    { name: o.out_name.toLowerCase(), unit: 'm', title: 'How far the line has gone', digits: 1, setting: 'out', value: (s) => s.out },
+    { name: 'top', unit: 'N', title: 'Tension at the top', digits: 1, setting: 'tension', value: (s) => s.values?.top_tension ?? null },
     of('bottom', 'N', 'Horizontal tension at touchdown', 1, 'bottom_tension'),
     of('end z', 'm', 'Height of the free end above the water', 2, 'end_height'),
     of('moment', 'N m', 'Largest bending moment of lifted pipe', 1, 'largest_moment'),
@@ -55,6 +61,23 @@ export function columnsOf(o: Operation): StageColumn[] {
   return all.filter((c) => o.stages.some((s) => c.value(s) !== null));
 }
 
+/** Asked of a stage; the other columns are results. */
+export const isSetting = (column: StageColumn): boolean => column.setting !== undefined;
+
+/** The stages as a table of numbers, for spreadsheets. */
+export function stageTable(o: Operation): TableData {
+  const columns = columnsOf(o);
+  const number = (column: StageColumn, stage: OperationStage): Cell => {
+    const value = column.value(stage);
+    return value === null ? null : column.unit === '%' ? 100 * value : column.unit === '' ? value : value * display(column.unit)[1];
+  };
+  return {
+    title: o.title, look: 'dense',
+    columns: [{ title: 'stage', words: true }, ...columns.map((c) => ({ title: c.name, unit: columnUnit(c) || undefined, digits: c.digits })), { title: 'verdict', words: true }],
+    rows: o.stages.map((stage, i) => [stageName(stage, i), ...columns.map((c) => number(c, stage)), stage.values?.verdict ?? whyNot(stage)]),
+  };
+}
+
 export const columnUnit = (c: StageColumn): string => (c.unit === '%' || c.unit === '' ? c.unit : unitName(c.unit));
 
 /** Never "-0". */
@@ -66,6 +89,12 @@ export function cell(c: StageColumn, s: OperationStage): string {
 }
 
 export const stageName = (s: OperationStage, i: number): string => (s.name && s.name !== `stage ${i + 1}` ? `${i + 1} ${s.name}` : String(i + 1));
+
+/** "2 of 7: head past the tip". */
+export function stagePlace(s: OperationStage, i: number, count: number): string {
+  const place = `${i + 1} of ${count}`;
+  return s.name && s.name !== `stage ${i + 1}` ? `${place}: ${s.name}` : place;
+}
 
 /** Why a stage cannot be, with the tension that would do. */
 export function whyNot(s: OperationStage): string {

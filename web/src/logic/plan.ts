@@ -1,5 +1,5 @@
 // The plan of a vessel on its moorings: north up, in metres; and what is drawn on it.
-import type { Lay, Scene, Vector } from '../api/types';
+import type { Scene, Vector } from '../api/types';
 
 export interface Box { west: number; south: number; east: number; north: number }
 
@@ -18,12 +18,6 @@ export function outline(vessel: NonNullable<Scene['vessel']>): [number, number][
   const { pose: p, length, beam } = vessel;
   const corners: [number, number][] = [[-0.5, -0.5], [0.4, -0.5], [0.5, 0], [0.4, 0.5], [-0.5, 0.5]];
   return corners.map(([a, b]) => [p[0]! + p[3]! * a * length + p[4]! * b * beam, p[1]! + p[6]! * a * length + p[7]! * b * beam]);
-}
-
-/** The pipe from above, to a little behind touchdown. */
-export function pipeTrack(lay: Lay): [number, number][] {
-  const end = (lay.touchdown?.s ?? Infinity) + 300;
-  return lay.pipe.s.flatMap((s, i): [number, number][] => (s <= end ? [[lay.pipe.x[i]!, lay.pipe.y[i]!]] : []));
 }
 
 export const flat = (p: Vector): [number, number] => [p[0], p[1]];

@@ -1,9 +1,41 @@
 // Goal seek from the page: which keys can vary, what is asked, what the answer says.
-import type { Field } from '../api/types';
+import type { Field, Lay, Region } from '../api/types';
+import { unitName } from './show';
 import { complete, fromSi, parseQuantity, tidy, write } from './units';
 
 /** A result of the page that is to be something else. */
 export interface SeekTarget { name: string; result: string; unit: string; si: number }
+
+export const quantityText = (si: number, unit: string, digits = 5): string => (unit ? write(si, unit, digits) : tidy(si, digits));
+
+/** Largest utilisation of a governing check; null where none is judged. */
+export function worstUtilisation(lay: Pick<Lay, 'checks'>): number | null {
+  const list = lay.checks.filter((check) => check.governing && check.utilisation !== undefined).map((check) => check.utilisation!);
+  return list.length ? Math.max(...list) : null;
+}
+
+function regionGoals(name: string, region: Region | null): SeekTarget[] {
+  if (!region || region.von_mises === 0) return [];
+  return [
+    { name: `von Mises stress in the ${name}`, result: `static.${name}.max_von_mises`, unit: unitName('Pa'), si: region.von_mises },
+    { name: `bending stress in the ${name}`, result: `static.${name}.max_bending_stress`, unit: unitName('Pa'), si: region.bending_stress },
+  ];
+}
+
+/** Results of a lay that a key can be sought for, the utilisation first. */
+export function seekGoals(lay: Pick<Lay, 'checks' | 'key' | 'supports'>): SeekTarget[] {
+  const worst = worstUtilisation(lay), k = lay.key;
+  const out: SeekTarget[] = worst === null ? [] : [{ name: 'largest utilisation', result: 'checks.worst.utilisation', unit: '', si: worst }];
+  if (!k) return out;
+  const add = (name: string, result: string, si: number | null | undefined, unit: string): void => { if (si !== null && si !== undefined) out.push({ name, result, unit: unitName(unit), si }); };
+  add('top tension', 'static.top_tension', k.top_tension, 'N');
+  add('bottom tension', 'static.bottom_tension', k.bottom_tension, 'N');
+  add('lay-back', 'static.lay_back', k.lay_back, 'm');
+  add('departure angle', 'static.departure_angle', k.departure_angle, 'rad');
+  add('tip clearance', 'static.stinger_tip_clearance', k.stinger_tip_clearance, 'm');
+  if (lay.supports.length) add('largest reaction', 'static.largest_reaction.value', k.largest_reaction, 'N');
+  return [...out, ...regionGoals('overbend', k.overbend), ...regionGoals('tower', k.tower), ...regionGoals('sagbend', k.sagbend)];
+}
 
 export type Relation = 'equals' | 'at_most' | 'at_least';
 export const relations: [Relation, string][] = [['equals', 'equal to'], ['at_most', 'at most'], ['at_least', 'at least']];
@@ -26,22 +58,28 @@ export interface SeekAnswer {
 
 const usual = ['tensioner.tension', 'environment.water_depth'];
 
-/** Keys with a quantity or a number, the usual ones first, then as the form lists them. */
-export function variableKeys(fields: Field[]): Field[] {
+/** Keys with a quantity or a number, the usual ones first, then as the form lists them; `wanted` also where it is left out. */
+export function variableKeys(fields: Field[], wanted = ''): Field[] {
   const numbers = fields.filter((f) => (f.kind === 'quantity' || f.kind === 'number') && f.si !== null && !/^(analysis|checks|seek|report)\b/.test(f.path));
-  return [...usual.flatMap((path) => numbers.filter((f) => f.path === path)), ...numbers.filter((f) => !usual.includes(f.path) && f.given)];
+  const foremost = [wanted, ...usual];
+  return [
+    ...fields.filter((f) => f.path === wanted),
+    ...usual.flatMap((path) => numbers.filter((f) => f.path === path && path !== wanted)),
+    ...numbers.filter((f) => !foremost.includes(f.path) && f.given),
+  ];
 }
 
 /** Half of the present value up to half as much again; 1 m either way of what is measured from an origin. */
 export function usualBounds(field: Field | undefined): { from: string; to: string } {
-  if (!field || field.si === null) return { from: '', to: '' };
+  const si = field?.si ?? null;
+  if (!field || si === null) return { from: '', to: '' };
   const place = /\.(x|y|z|offset)$/.test(field.path);
-  const [low, high] = place ? [field.si - 1, field.si + 1] : [Math.min(0.5 * field.si, 1.5 * field.si), Math.max(0.5 * field.si, 1.5 * field.si)];
-  const words = (si: number): string => (field.unit ? write(si, field.unit) : tidy(si));
+  const [low, high] = place ? [si - 1, si + 1] : [Math.min(0.5 * si, 1.5 * si), Math.max(0.5 * si, 1.5 * si)];
+  const words = (si: number): string => quantityText(si, field.unit);
   return { from: words(low), to: words(high) };
 }
 
-export const startWish = (target: SeekTarget, key: Field | undefined): SeekWish => ({ relation: 'equals', value: write(target.si, target.unit, 4), key: key?.path ?? '', ...usualBounds(key) });
+export const startWish = (target: SeekTarget, key: Field | undefined): SeekWish => ({ relation: 'equals', value: quantityText(target.si, target.unit, 4), key: key?.path ?? '', ...usualBounds(key) });
 
 export function seekFaults(wish: SeekWish): { key: string; text: string }[] {
   return (['value', 'from', 'to'] as const).filter((key) => !parseQuantity(wish[key])).map((key) => ({ key, text: 'a number with its unit' }));
@@ -54,10 +92,11 @@ export function seekRequest(wish: SeekWish, target: SeekTarget, unit: string): u
 
 /** What there is to say besides the answer itself. */
 export function seekRemarks(found: SeekFound, target: SeekTarget, unit: string): string[] {
-  const key = (si: number): string => (unit ? write(si, unit) : tidy(si));
+  const key = (si: number): string => quantityText(si, unit);
+  const result = (si: number): string => quantityText(si, target.unit, 4);
   return [
     ...found.others.map((other) => `another answer: ${key(other)}`),
-    ...found.jumps.map((jump) => `a jump at ${key(jump.at)}: from ${tidy(fromSi(jump.below, target.unit), 4)} to ${write(jump.above, target.unit, 4)}${jump.why ? `; ${jump.why}` : ''}`),
+    ...found.jumps.map((jump) => `a jump at ${key(jump.at)}: from ${target.unit ? tidy(fromSi(jump.below, target.unit), 4) : result(jump.below)} to ${result(jump.above)}${jump.why ? `; ${jump.why}` : ''}`),
     ...found.remarks,
   ];
 }

@@ -1,82 +1,32 @@
-// A study from the page: its file, and how its cases are laid out in a chart.
-import type { Field, Matrix, MatrixCase, VerdictKind } from '../api/types';
-import { parseSeeds } from './runs';
-import { complete, parseQuantity, tidy } from './units';
+// Results of a study: how its cases are laid out in tables and drawings.
+import type { Matrix, MatrixCase, VerdictKind } from '../api/types';
 
-export interface AxisWish { key: string; values: string }
-export interface StudyWish { analysis: 'static' | 'dynamic' | 'operation' | 'seek'; axes: AxisWish[]; seeds: string; duration: string; gather: string; limit: string }
+/** In the place of the number of a result: the utilisation of the governing check. */
+export const kUtilisation = -1;
 
-/** "200 kN..400 kN/21": 21 values, both ends included. */
-const range = /^\s*(.+?)\s*(?:\.\.|–| to )\s*(.+?)\s*\/\s*(\d{1,5})\s*$/;
+export const resultName = (m: Matrix, output: number): string => (output === kUtilisation ? 'utilisation' : m.outputs[output]?.name ?? '');
+export const resultUnit = (m: Matrix, output: number): string => (output === kUtilisation ? '' : m.outputs[output]?.unit ?? '');
 
-const scalar = (text: string): string => (/^[\w.+-]+( [\w.^*/%-]+)?$/.test(text) ? text : JSON.stringify(text));
+const plainWords = (name: string): string => name.replace(/^(static|dynamic|operation)\./, '').replace(/[._]/g, ' ').replace(/ value$/, '').replace(/\blay back\b/, 'lay-back').replace(/\bvon mises\b/, 'von Mises');
 
-/** A number without a unit gets the one that the key is written in. */
-const withUnit = (text: string, unit: string): string => (unit && parseQuantity(text) ? complete(text, unit) : text);
-
-/** An axis as the study file has it; null where its values say nothing. */
-export function axisYaml(axis: AxisWish, unit: string): string | null {
-  const match = range.exec(axis.values);
-  if (match) {
-    const steps = Number(match[3]);
-    if (steps < 2 || !parseQuantity(match[1]!) || !parseQuantity(match[2]!)) return null;
-    return `{key: ${scalar(axis.key)}, from: ${scalar(withUnit(match[1]!, unit))}, to: ${scalar(withUnit(match[2]!, unit))}, steps: ${steps}}`;
-  }
-  const list = axis.values.split(',').map((v) => v.trim()).filter(Boolean);
-  return axis.key && list.length ? `{key: ${scalar(axis.key)}, values: [${list.map((v) => scalar(withUnit(v, unit))).join(', ')}]}` : null;
+/** "Lay back [m]"; of the utilisation in whole words. */
+export function resultTitle(m: Matrix, output: number): string {
+  if (output === kUtilisation) return 'Utilisation of the governing check';
+  const words = plainWords(resultName(m, output)), unit = resultUnit(m, output);
+  return words.charAt(0).toUpperCase() + words.slice(1) + (unit ? ` [${unit}]` : '');
 }
 
-export function axisCount(axis: AxisWish): number {
-  const match = range.exec(axis.values);
-  return match ? Number(match[3]) : axis.values.split(',').filter((v) => v.trim()).length;
-}
+export const resultValue = (c: MatrixCase, output: number): number | null => (output === kUtilisation ? c.utilisation : c.values[output] ?? null);
 
-/** Number of cases; of an operability chart of its combinations, each a search over the axis. */
-export function caseCount(wish: StudyWish): number {
-  const seeds = wish.analysis === 'dynamic' && wish.seeds.trim() ? parseSeeds(wish.seeds)?.length ?? 1 : 1;
-  return wish.axes.filter((a) => a.key && a.key !== wish.limit).reduce((n, a) => n * Math.max(axisCount(a), 1), wish.limit ? 1 : seeds);
-}
-
-export function studyFault(wish: StudyWish, unitOf: (key: string) => string): string | null {
-  const used = wish.axes.filter((a) => a.key || a.values.trim());
-  if (used.length === 0 && !(wish.analysis === 'dynamic' && wish.seeds.trim())) return 'choose a key that changes, and its values';
-  const bad = used.find((a) => axisYaml(a, unitOf(a.key)) === null);
-  if (bad) return `${bad.key || 'a key'}: values like "1 m, 1.5 m, 2 m", or a range like "200 kN..400 kN/21"`;
-  if (new Set(used.map((a) => a.key)).size < used.length) return 'each key once';
-  if (wish.analysis === 'dynamic' && wish.seeds.trim() && !parseSeeds(wish.seeds)) return 'seeds like "1-5" or "3, 7, 12"';
-  return wish.limit && !used.some((a) => a.key === wish.limit) ? `${wish.limit} is not one of the keys` : null;
-}
-
-/** The whole study file. */
-export function studyYaml(wish: StudyWish, base: string, unitOf: (key: string) => string): string {
-  const seeds = wish.analysis === 'dynamic' && wish.seeds.trim() ? parseSeeds(wish.seeds) : null;
-  const gather = wish.gather.split(',').map((g) => g.trim()).filter(Boolean);
-  return [
-    'overbend_study: 1', `base: ${scalar(base)}`, `analysis: ${wish.analysis}`,
-    ...(wish.analysis === 'dynamic' && wish.duration.trim() ? [`duration: ${wish.duration.trim()}`] : []),
-    ...(wish.axes.some((a) => a.key) ? ['axes:', ...wish.axes.filter((a) => a.key).map((a) => `  - ${axisYaml(a, unitOf(a.key)) ?? '{}'}`)] : []),
-    ...(seeds ? [`seeds: [${seeds.join(', ')}]`] : []),
-    ...(gather.length ? [`gather: [${gather.map(scalar).join(', ')}]`] : []),
-    ...(wish.limit ? [`operability: {over: ${scalar(wish.limit)}, criterion: checks}`] : []),
-    '',
-  ].join('\n');
-}
-
-/** A key that is often varied, with values about the model's. */
-export function firstAxis(field: Field | undefined): AxisWish {
-  if (!field || field.si === null) return { key: '', values: '' };
-  const [number, unit] = [parseQuantity(String(field.value)), field.unit];
-  if (!number) return { key: field.path, values: '' };
-  const words = (factor: number): string => `${tidy(number.number * factor, 3)} ${number.unit || unit}`.trim();
-  return { key: field.path, values: `${words(0.8)}..${words(1.6)}/17` };
-}
+/** "water depth" of "environment.water_depth". */
+export const keyWords = (key: string): string => key.split('.').at(-1)!.replace(/_/g, ' ');
 
 /** Axes along which the cases spread: crossed, with more than one value. */
 export const spreadAxes = (m: Matrix): number[] => m.inputs.flatMap((input, i) => (!input.sampled && !input.with && input.words.length > 1 ? [i] : []));
 
 /** Of the seeds of one combination the value that is farther out: the smallest of a minimum, else the largest. */
 export function worstValue(cases: MatrixCase[], output: number, name: string): number | null {
-  const values = cases.map((c) => c.values[output]).filter((v): v is number => v !== null && v !== undefined);
+  const values = cases.map((c) => resultValue(c, output)).filter((v): v is number => v !== null);
   if (values.length === 0) return null;
   return /(^|[._])(min|smallest|least)/.test(name) ? Math.min(...values) : Math.max(...values);
 }
@@ -94,13 +44,67 @@ export function cellOf(cases: MatrixCase[], output: number, name: string): Cell 
 
 /** Cells over one or two axes (rows from the second), the other axes held at `fixed`. */
 export function cellsOver(m: Matrix, axes: number[], fixed: Record<number, number>, output: number): Cell[][] {
-  const [x, y] = axes, name = m.outputs[output]?.name ?? '';
+  const [x, y] = axes, name = resultName(m, output);
   const rest = spreadAxes(m).filter((a) => !axes.includes(a));
-  const rows = y === undefined ? 1 : m.inputs[y]!.words.length;
-  const columns = x === undefined ? 1 : m.inputs[x]!.words.length;
-  const held = m.cases.filter((c) => rest.every((a) => c.at[a] === (fixed[a] ?? 0)));
-  return Array.from({ length: rows }, (_r, j) => Array.from({ length: columns }, (_c, i) =>
-    cellOf(held.filter((c) => (x === undefined || c.at[x] === i) && (y === undefined || c.at[y] === j)), output, name)));
+  const count = (axis: number | undefined): number => (axis === undefined ? 1 : m.inputs[axis]!.words.length);
+  const cases = Array.from({ length: count(y) }, () => Array.from({ length: count(x) }, (): MatrixCase[] => []));
+  for (const c of m.cases) {
+    if (!rest.every((a) => c.at[a] === (fixed[a] ?? 0))) continue;
+    cases[y === undefined ? 0 : c.at[y]!]?.[x === undefined ? 0 : c.at[x]!]?.push(c);
+  }
+  return cases.map((row) => row.map((list) => cellOf(list, output, name)));
+}
+
+/** The case of a cell that is shown: one without a solution, else that with the largest utilisation. */
+export function foremost(cell: Cell): MatrixCase | null {
+  const failed = cell.cases.find((c) => c.state === 'failed');
+  if (failed) return failed;
+  return cell.cases.reduce<MatrixCase | null>((a, b) => (a && (a.utilisation ?? 0) >= (b.utilisation ?? 0) ? a : b), null);
+}
+
+const distance = (a: MatrixCase, b: MatrixCase): number => a.words.filter((word, i) => word !== b.words[i]).length;
+
+/** The case from which every other differs by one key at most; null where the keys are crossed. */
+export function baseCase(m: Matrix): MatrixCase | null {
+  if (m.inputs.length < 2 || m.cases.length < 3 || m.inputs.some((input) => input.sampled) || spreadAxes(m).length > 1) return null;
+  const first = m.cases[0]!;
+  return m.inputs.slice(1).every((input) => input.with !== '') && m.cases.every((c) => distance(c, first) <= 1) ? first : null;
+}
+
+/** `limits`: of operability; `each`: one key at a time; `list`: neither drawn over one key nor over two. */
+export type Shape = 'limits' | 'each' | 'grid' | 'curve' | 'list';
+
+export function shapeOf(m: Matrix): Shape {
+  if (m.operability) return 'limits';
+  if (baseCase(m)) return 'each';
+  const axes = spreadAxes(m).length;
+  return axes === 0 ? 'list' : axes === 1 ? 'curve' : 'grid';
+}
+
+/** The two keys with the most values, those of the tension along the columns. */
+export function gridAxes(m: Matrix): [number, number] {
+  const order = spreadAxes(m).sort((a, b) => m.inputs[b]!.words.length - m.inputs[a]!.words.length).slice(0, 2);
+  const [x, y] = order as [number, number];
+  return m.inputs[y]!.key === 'tensioner.tension' && m.inputs[x]!.key !== 'tensioner.tension' ? [y, x] : [x, y];
+}
+
+export interface Swing { key: string; low: number; high: number; lowWord: string; highWord: string }
+
+/** The range of a result as one key at a time takes its values, the widest first. */
+export function swings(m: Matrix, base: MatrixCase, output: number): Swing[] {
+  const middle = resultValue(base, output);
+  if (middle === null) return [];
+  const all = m.inputs.map(({ key }, k): Swing => {
+    const swing: Swing = { key, low: middle, high: middle, lowWord: base.words[k]!, highWord: base.words[k]! };
+    for (const c of m.cases) {
+      const value = resultValue(c, output);
+      if (value === null || c.state !== 'done' || c.words[k] === base.words[k]) continue;
+      if (value < swing.low) { swing.low = value; swing.lowWord = c.words[k]!; }
+      if (value > swing.high) { swing.high = value; swing.highWord = c.words[k]!; }
+    }
+    return swing;
+  });
+  return all.sort((a, b) => (b.high - b.low) - (a.high - a.low));
 }
 
 const verdictWords: Record<VerdictKind, string> = { passed: 'pass', reserved: 'pass with reservations', exceeded: 'exceed a check', 'not judged': 'solved, not judged' };
@@ -112,4 +116,18 @@ export function tally(m: Matrix): string {
     ...(['passed', 'reserved', 'exceeded', 'not judged'] as const).map((kind): [number, string] => [n((c) => c.state === 'done' && c.verdict === kind), verdictWords[kind]]),
     [n((c) => c.state === 'failed'), 'have no solution'], [n((c) => c.state === 'open'), 'still to come']];
   return `${m.cases.length} cases: ${parts.filter(([count]) => count).map(([count, words]) => `${count} ${words}`).join(', ')}`;
+}
+
+/** Checks that govern, the most frequent first, with a letter and their number of cases. */
+export interface Governing { name: string; letter: string; count: number; most: number }
+
+export function governingChecks(m: Matrix): Governing[] {
+  const counts = new Map<string, { count: number; most: number }>();
+  for (const c of m.cases) {
+    if (!c.governing || c.state !== 'done') continue;
+    const { count, most } = counts.get(c.governing) ?? { count: 0, most: 0 };
+    counts.set(c.governing, { count: count + 1, most: Math.max(most, c.utilisation ?? 0) });
+  }
+  const order = [...counts].sort(([, a], [, b]) => b.count - a.count);
+  return order.map(([name, of], k) => ({ name, letter: k < 26 ? String.fromCharCode(65 + k) : `Z${k - 25}`, ...of }));
 }

@@ -44,9 +44,30 @@ const table: Record<string, Unit> = {
   'lbf/ft': { family: 'stiffness', factor: 14.593902937206, twin: 'kN/m' },
   'kN/m': { family: 'stiffness', factor: 1e3, twin: 'kip/ft' },
   'kip/ft': { family: 'stiffness', factor: 14593.902937206, twin: 'kN/m' },
+  'N/m': { family: 'stiffness', factor: 1, twin: 'lbf/ft' },
+  'MN/m': { family: 'stiffness', factor: 1e6, twin: 'kip/ft' },
+  'N m': { family: 'moment', factor: 1 },
+  'MN m': { family: 'moment', factor: 1e6, twin: 'kip ft' },
+  'N/mm^2': { family: 'pressure', factor: 1e6, twin: 'ksi' },
+  'kN m^2': { family: 'bending stiffness', factor: 1e3 },
+  'N m^2': { family: 'bending stiffness', factor: 1 },
+  'MN m^2': { family: 'bending stiffness', factor: 1e6 },
+  'kg/m': { family: 'mass per length', factor: 1, twin: 'lb/ft' },
+  't/m': { family: 'mass per length', factor: 1e3, twin: 'lb/ft' },
+  'lb/ft': { family: 'mass per length', factor: 1.4881639435696, twin: 'kg/m' },
+  'm^2': { family: 'area', factor: 1, twin: 'ft^2' },
+  'mm^2': { family: 'area', factor: 1e-6 },
+  'ft^2': { family: 'area', factor: 0.09290304, twin: 'm^2' },
+  'm^3': { family: 'volume', factor: 1 },
+  '1/m': { family: 'curvature', factor: 1, twin: '1/ft' },
+  '1/ft': { family: 'curvature', factor: 1 / 0.3048, twin: '1/m' },
+  'km/h': { family: 'speed', factor: 1 / 3.6, twin: 'knot' },
+  'm/min': { family: 'speed', factor: 1 / 60 },
+  ms: { family: 'time', factor: 1e-3 },
+  '%': { family: 'share', factor: 0.01 },
 };
 
-const alias: Record<string, string> = { 'kN*m': 'kN m', 'kip*ft': 'kip ft', te: 't', mt: 't', tonf: 'tf', inch: 'in', knots: 'knot', kn: 'knot', sec: 's', hour: 'h', degree: 'deg', degrees: 'deg', '"': 'in', "'": 'ft' };
+const alias: Record<string, string> = { 'kN*m': 'kN m', 'kip*ft': 'kip ft', 'N*m': 'N m', 'MN*m': 'MN m', 'kN*m^2': 'kN m^2', 'N*m^2': 'N m^2', 'MN*m^2': 'MN m^2', te: 't', mt: 't', tonf: 'tf', inch: 'in', knots: 'knot', kn: 'knot', sec: 's', hour: 'h', degree: 'deg', degrees: 'deg', '"': 'in', "'": 'ft' };
 
 export interface Quantity { number: number; unit: string }
 
@@ -67,6 +88,12 @@ export function parseQuantity(text: string): Quantity | null {
 export function sameFamily(a: string, b: string): boolean {
   const first = table[a];
   return first !== undefined && first.family === table[b]?.family;
+}
+
+/** Names of the units of one kind, that one first. */
+export function unitsLike(unit: string): string[] {
+  const own = alias[unit] ?? unit;
+  return table[own] ? [own, ...Object.keys(table).filter((name) => name !== own && sameFamily(name, own))] : [unit];
 }
 
 export function toSi(number: number, unit: string): number {

@@ -54,3 +54,35 @@ function keysAbove(text: string, column: number, current: string): string[] {
   }
   return path;
 }
+
+/** The line, counted from 1, on which a key of the model stands; that of the nearest group above where it has none of its own. */
+export function lineOfKey(text: string, path: string): number {
+  const lines = text.split('\n');
+  let found = 0, from = 0, end = lines.length;
+  const indent = (line: string): number => /^\s*/.exec(line)![0].length;
+  const blockEnd = (start: number): number => {
+    const own = contentColumn(lines[start]!);
+    for (let i = start + 1; i < end; ++i) if (lines[i]!.trim() && !lines[i]!.trim().startsWith('#') && contentColumn(lines[i]!) <= own && indent(lines[i]!) < own + 1) return i;
+    return end;
+  };
+  for (const part of path.replaceAll('[', '.[').split('.').filter(Boolean)) {
+    const item = /^\[(\d+)\]$/.exec(part);
+    let line = -1, count = 0;
+    for (let i = from; i < end && line < 0; ++i) {
+      const dash = /^(\s*)-(?:\s|$)/.exec(lines[i]!);
+      if (item) { if (dash && count++ === Number(item[1])) line = i; } else if (keyLine.exec(lines[i]!)?.[3] === part) line = i;
+    }
+    if (line < 0) return found;
+    found = line + 1;
+    end = item ? nextDash(lines, line, end) : blockEnd(line);
+    from = item ? line : line + 1;
+  }
+  return found;
+}
+
+/** Where the next item of the same list begins, else the end of the list. */
+function nextDash(lines: string[], start: number, end: number): number {
+  const column = lines[start]!.indexOf('-');
+  for (let i = start + 1; i < end; ++i) if (/^\s*-(?:\s|$)/.test(lines[i]!) && lines[i]!.indexOf('-') <= column) return i;
+  return end;
+}

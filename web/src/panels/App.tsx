@@ -1,84 +1,92 @@
+// The frame of the page: header, the model on the left, the workspace in the middle, the verdict on the right.
+import type { ComponentChildren } from 'preact';
 import { useEffect } from 'preact/hooks';
+import type { Signal } from '@preact/signals';
 import { hasModel, redo, undo } from '../state/model';
-import { dialog, leftTab, leftWidth, pane } from '../state/look';
-import { isStudy } from '../logic/runs';
+import { dialog, dockHeight, leftWidth, rightWidth } from '../state/look';
+import { saveNow } from '../state/files';
 import { dismiss, notices } from '../state/notices';
-import { runs, selected } from '../state/runs';
-import { AnimationBar } from './AnimationBar';
-import { Checks } from './Checks';
-import { Diagrams } from './Diagrams';
+import { drawer, middle, workspace } from '../state/workspace';
+import { workspaces } from '../workspaces/all';
+import type { WorkspaceParts } from '../workspaces/workspace';
+import { ChangedOutside } from './ChangedOutside';
+import { Dock, DockHandle, shownTabs } from './Dock';
 import { ConflictDialog, OpenDialog, OverwriteDialog, SaveAsDialog, UnsavedDialog } from './Files';
-import { Form } from './Form';
-import { Header, saveNow } from './Header';
-import { MatrixResults } from './MatrixResults';
-import { OperationTab } from './Operation';
-import { LayTablePanel } from './LayTable';
+import { Header } from './Header';
+import { KeySensitivity } from './KeySensitivity';
+import { Menu } from './Menu';
+import { ModelTree } from './ModelTree';
 import { Picture } from './Picture';
-import { Results } from './Results';
-import { RunResults } from './RunResults';
-import { StudyResults } from './StudyResults';
-import { StudyTab } from './StudyTab';
-import { Runs } from './Runs';
-import { Sliders } from './Sliders';
+import { Properties } from './Properties';
+import { ResultsColumn } from './ResultsColumn';
+import { Search } from './Search';
 import { SeekDialog } from './SeekDialog';
 import { SpreadDialog } from './SpreadDialog';
-import { StageBar } from './StageBar';
 import { StartDialog } from './StartDialog';
-import { Yaml } from './Yaml';
+import '../styles/frame.css';
 
-const tabs = [['form', 'Form'], ['yaml', 'YAML'], ['operation', 'Operation'], ['laytable', 'Lay table'], ['study', 'Study'], ['runs', 'Runs']] as const;
+const clampWidth = (px: number): number => Math.round(Math.min(Math.max(px, 200), 0.4 * innerWidth));
 
-function Left() {
-  const going = runs.value.filter((r) => r.state === 'running' || r.state === 'queued').length;
+interface HandleProps { side: 'left' | 'right'; name: string; width: Signal<number> }
+
+/** Between a side column and the middle: dragged, or moved with the arrow keys; double click or Home puts it back. */
+function Handle({ side, name, width }: HandleProps) {
+  const now = (): number => document.querySelector(`main > .${side}`)!.getBoundingClientRect().width;
+  const wider = side === 'left' ? 'ArrowRight' : 'ArrowLeft';
   return (
-    <aside class="left" aria-label="Model and runs">
-      <div role="tablist" class="tabs" onKeyDown={(e) => {
-        const i = tabs.findIndex((t) => t[0] === leftTab.value);
-        const step = e.key === 'ArrowRight' ? 1 : e.key === 'ArrowLeft' ? -1 : 0;
-        if (!step) return;
-        leftTab.value = tabs[(i + step + tabs.length) % tabs.length]![0];
-        document.getElementById(`tab-${leftTab.value}`)?.focus();
-      }}>
-        {tabs.map(([id, name]) => <button key={id} id={`tab-${id}`} type="button" role="tab" tabIndex={leftTab.value === id ? 0 : -1} aria-selected={leftTab.value === id} aria-controls="tabpanel" onClick={() => { leftTab.value = id; }}>{name}{id === 'runs' && going ? <span class="dot" title="running" /> : null}</button>)}
-      </div>
-      <div id="tabpanel" role="tabpanel" aria-labelledby={`tab-${leftTab.value}`} class={`panel ${leftTab.value}`}>
-        {leftTab.value === 'runs' ? <Runs /> : !hasModel.value ? <p class="empty">No model yet.</p> : leftTab.value === 'form' ? <Form /> : leftTab.value === 'operation' ? <OperationTab /> : leftTab.value === 'laytable' ? <LayTablePanel /> : leftTab.value === 'study' ? <StudyTab /> : <Yaml />}
-      </div>
+    <div
+      class="handle"
+      data-side={side}
+      role="separator"
+      tabIndex={0}
+      aria-orientation="vertical"
+      aria-label={`Width of the ${name}`}
+      aria-valuemin={200}
+      aria-valuemax={Math.round(0.4 * innerWidth)}
+      aria-valuenow={width.value || undefined}
+      title="Drag to change the width, double click to put it back"
+      onPointerDown={(e) => { e.currentTarget.setPointerCapture(e.pointerId); e.preventDefault(); e.currentTarget.focus(); }}
+      onPointerMove={(e) => { if (e.currentTarget.hasPointerCapture(e.pointerId)) width.value = clampWidth(side === 'left' ? e.clientX : innerWidth - e.clientX); }}
+      onDblClick={() => { width.value = 0; }}
+      onKeyDown={(e) => {
+        const step = e.key === wider ? 16 : /^Arrow(Left|Right)$/.test(e.key) ? -16 : 0;
+        if (step) { e.preventDefault(); width.value = clampWidth(now() + step); } else if (e.key === 'Home') width.value = 0;
+      }}
+    />
+  );
+}
+
+function Drawer({ side, children }: { side: 'model' | 'results'; children: ComponentChildren }) {
+  return (
+    <aside class={`${side === 'model' ? 'left' : 'right'}${drawer.value === side ? ' open' : ''}`} aria-label={side === 'model' ? 'Model' : 'Verdict and results'}>
+      {children}
     </aside>
   );
 }
 
-const clampLeft = (px: number): number => Math.round(Math.min(Math.max(px, 200), 0.5 * innerWidth));
-
-/** Between left pane and picture: dragged, or moved with the arrow keys; double click or Home puts it back. */
-function Handle() {
-  const now = (): number => document.querySelector('.left')!.getBoundingClientRect().width;
+/** Picture and dock. The picture stays mounted in every workspace, so that nothing has to be drawn anew. */
+function Middle({ parts }: { parts: WorkspaceParts }) {
+  const { Strip, Middle: Own, Bar } = parts;
+  const docked = hasModel.value && shownTabs(parts).length > 0, fill = Own ? 'both' : middle.value;
+  const beside = Own !== undefined && parts.picture?.value === true;
   return (
-    <div class="handle" role="separator" tabIndex={0} aria-orientation="vertical" aria-label="Width of the left pane" aria-valuemin={200} aria-valuemax={Math.round(0.5 * innerWidth)} aria-valuenow={leftWidth.value || undefined} title="Drag to change the width, double click to put it back"
-      onPointerDown={(e) => { e.currentTarget.setPointerCapture(e.pointerId); e.preventDefault(); e.currentTarget.focus(); }}
-      onPointerMove={(e) => { if (e.currentTarget.hasPointerCapture(e.pointerId)) leftWidth.value = clampLeft(e.clientX); }}
-      onDblClick={() => { leftWidth.value = 0; }}
-      onKeyDown={(e) => {
-        const step = e.key === 'ArrowRight' ? 16 : e.key === 'ArrowLeft' ? -16 : 0;
-        if (step) { e.preventDefault(); leftWidth.value = clampLeft(now() + step); } else if (e.key === 'Home') leftWidth.value = 0;
-      }} />
-  );
-}
-
-const panes = [['model', 'Model'], ['picture', 'Picture'], ['diagrams', 'Diagrams'], ['results', 'Results']] as const;
-
-/** On small screens one pane is seen at a time. */
-function Panes() {
-  return (
-    <div class="panes" role="tablist" aria-label="Panes">
-      {panes.map(([id, name]) => <button key={id} type="button" role="tab" aria-selected={pane.value === id} onClick={() => { pane.value = id; }}>{name}</button>)}
+    <div class={`middle ${docked ? fill : 'picture'}`} style={dockHeight.value ? { '--dock': `${dockHeight.value}px` } : undefined}>
+      {Strip && hasModel.value ? <div class="strip"><Strip /></div> : null}
+      <div class={`work${beside ? ' beside' : ''}`}>
+        {Own ? <div class="ownmiddle"><Own /></div> : null}
+        <div class={`centre${Own && !beside ? ' away' : ''}`}><Picture /></div>
+      </div>
+      {Bar && hasModel.value ? <div class="underpicture"><Bar /></div> : null}
+      {docked ? <><DockHandle /><Dock parts={parts} /></> : null}
     </div>
   );
 }
 
-export function App() {
+/** Undo, redo and save from anywhere but where text is typed. */
+function useKeys(): void {
   useEffect(() => {
     const keys = (e: KeyboardEvent): void => {
+      if (e.key === 'Escape' && drawer.value) { drawer.value = null; return; }
       if (!(e.ctrlKey || e.metaKey) || e.altKey) return;
       const key = e.key.toLowerCase();
       const writing = (e.target as HTMLElement).closest('.cm-editor');
@@ -94,22 +102,54 @@ export function App() {
     addEventListener('keydown', keys);
     return () => removeEventListener('keydown', keys);
   }, []);
+}
+
+function Dialogs() {
+  switch (dialog.value) {
+    case 'start': return <StartDialog />;
+    case 'open': return <OpenDialog />;
+    case 'saveas': return <SaveAsDialog />;
+    case 'spread': return <SpreadDialog />;
+    case 'seek': return <SeekDialog />;
+    default: return null;
+  }
+}
+
+function Notices() {
+  return (
+    <div class="notices" role="status">
+      {notices.value.map((n) => (
+        <div key={n.id} class={`notice ${n.kind}`}>
+          <span>{n.text}{n.hint ? <small> {n.hint}</small> : null}</span>
+          <button type="button" class="tiny" aria-label="Dismiss" onClick={() => dismiss(n.id)}>✕</button>
+        </div>
+      ))}
+    </div>
+  );
+}
+
+export function App() {
+  useKeys();
+  const parts = workspaces.find((w) => w.id === workspace.value)!;
+  const widths = { ...(leftWidth.value ? { '--left': `${clampWidth(leftWidth.value)}px` } : {}), ...(rightWidth.value ? { '--right': `${clampWidth(rightWidth.value)}px` } : {}) };
   return (
     <>
       <Header />
-      <Panes />
-      <main data-pane={pane.value} style={leftWidth.value ? { '--left': `${clampLeft(leftWidth.value)}px` } : undefined}>
-        <Left />
-        <Handle />
-        <div class="centre"><Picture /><AnimationBar /><StageBar /></div>
-        <aside class="right" aria-label="Results and sliders">{selected.value?.kind === 'study' ? <MatrixResults run={selected.value} /> : selected.value && isStudy(selected.value) ? <StudyResults run={selected.value} /> : selected.value ? <><RunResults /><Checks /></> : <><Results /><Checks /><Sliders /></>}</aside>
-        <Diagrams />
+      <ChangedOutside />
+      <main data-workspace={parts.id} style={widths}>
+        <Drawer side="model"><Search />{hasModel.value ? <><ModelTree /><Properties /></> : <p class="empty">No model yet.</p>}</Drawer>
+        <Handle side="left" name="model" width={leftWidth} />
+        <Middle parts={parts} />
+        <Handle side="right" name="results" width={rightWidth} />
+        <Drawer side="results">{hasModel.value ? <ResultsColumn /> : null}</Drawer>
       </main>
-      {dialog.value === 'start' ? <StartDialog /> : dialog.value === 'open' ? <OpenDialog /> : dialog.value === 'saveas' ? <SaveAsDialog /> : dialog.value === 'spread' ? <SpreadDialog /> : dialog.value === 'seek' ? <SeekDialog /> : null}
+      <Dialogs />
+      <KeySensitivity />
       <ConflictDialog />
       <OverwriteDialog />
       <UnsavedDialog />
-      <div class="notices" role="status">{notices.value.map((n) => <div key={n.id} class={`notice ${n.kind}`}><span>{n.text}{n.hint ? <small> {n.hint}</small> : null}</span><button type="button" class="tiny" aria-label="Dismiss" onClick={() => dismiss(n.id)}>✕</button></div>)}</div>
+      <Menu />
+      <Notices />
     </>
   );
 }

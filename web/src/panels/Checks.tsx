@@ -1,12 +1,11 @@
-// Code checks of the live statics, or of the run that is looked at.
-import { useState } from 'preact/hooks';
+// Code checks of what is shown: which governs in each region, and all of them with their calculations.
+import { useEffect, useState } from 'preact/hooks';
 import { CalculationSheet } from '../components/CalculationSheet';
 import { drawnSheet, governing, level, ranked, regionName } from '../logic/checks';
 import { tidy } from '../logic/units';
-import { calm, failure } from '../state/live';
 import { cursor } from '../state/look';
-import { stageLay } from '../state/operation';
-import { runChecks, selected } from '../state/runs';
+import { shownFailure } from '../state/shown';
+import { openedCheck, shownChecks } from '../state/verdict';
 import type { Check } from '../api/types';
 
 const used = (c: Check): string => (c.utilisation === undefined ? '–' : tidy(c.utilisation, 3));
@@ -24,7 +23,9 @@ function Governing({ check }: { check: Check }) {
 }
 
 function Row({ check }: { check: Check }) {
-  const [open, setOpen] = useState(false);
+  const asked = openedCheck.value === check.id;
+  const [open, setOpen] = useState(asked);
+  useEffect(() => { if (asked) setOpen(true); }, [asked]);
   const title = `${check.code} ${check.clause}${check.remark ? `: ${check.remark}` : ''}`;
   const there = check.sheet.length > 0;
   return (
@@ -39,23 +40,18 @@ function Row({ check }: { check: Check }) {
   );
 }
 
+/** All checks of what is shown, the one that governs first; each unfolds its calculation. */
 export function Checks() {
-  const run = selected.value;
-  const ofRun = run ? runChecks.value ?? [] : null;
-  const checks = ofRun ?? stageLay.value?.checks ?? calm.value?.checks ?? [];
-  if (checks.length === 0) return null;
-  const deciding = governing(checks);
-  const worst = ranked(deciding)[0];
+  const checks = shownChecks.value;
+  if (checks.length === 0) return <p class="empty">No code checks: the model has no pipe, or they are turned off.</p>;
   return (
-    <section class={`results checks${failure.value && !ofRun ? ' old' : ''}`} aria-label="Code checks">
-      <h2>Code checks <small>{ofRun ? `of ${run!.kind === 'dynamic' ? 'the run' : 'the static run'}` : 'statics'}</small></h2>
-      {worst ? <Governing check={worst} /> : null}
-      <details>
-        <summary>All checks</summary>
-        {deciding.map((c) => <Governing key={c.region} check={c} />)}
-        <table class="checks"><tbody>{ranked(checks).map((c) => <Row key={`${c.id} ${c.line} ${c.region} ${c.remark}`} check={c} />)}</tbody></table>
-        <p class="brief">Utilisation; above 1 is exceeded. Click a check for its calculation, with clauses and what confirms them.</p>
-      </details>
+    <section class={`checks padded${shownFailure.value ? ' old' : ''}`} aria-label="Code checks">
+      <div class="governings">{governing(checks).map((c) => <Governing key={c.region} check={c} />)}</div>
+      <table class="checks">
+        <thead><tr><th scope="col">check</th><th scope="col">utilisation</th><th scope="col">result</th></tr></thead>
+        <tbody>{ranked(checks).map((c) => <Row key={`${c.id} ${c.line} ${c.region} ${c.remark}`} check={c} />)}</tbody>
+      </table>
+      <p class="brief">Utilisation; above 1 is exceeded. A check unfolds its calculation, with clauses and what confirms them.</p>
     </section>
   );
 }

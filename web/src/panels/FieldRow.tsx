@@ -1,10 +1,14 @@
-// One value of the form: as it is written in the model, and beside it the same in the other system of units.
+// One value of the form: as it is written in the model, and beside it the same in the other system of units. A number is
+// varied by dragging its label or with arrow keys, and has a menu.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { ApiError } from '../api/client';
 import type { Field } from '../api/types';
 import { complete, parseQuantity, twin } from '../logic/units';
 import { label as nameOf, parts } from '../logic/formTree';
 import { diagnostics, newerChosen, setKeys } from '../state/model';
+import { openFieldMenu } from './FieldMenu';
+import { useVariation } from './variation';
+import '../styles/numbers.css';
 
 function value(field: Field): string {
   return field.value === null || field.value === undefined ? '' : String(field.value);
@@ -27,6 +31,9 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
     setFault('');
   }, [written, field.path]);
   useEffect(() => { sent.current = []; setTyped(written); setFault(''); }, [newerChosen.value]);
+
+  const variation = useVariation(field);
+  const shownText = variation.text ?? typed;
 
   const about = diagnostics.value.filter((d) => d.key === field.path);
   const told = about.find((d) => d.severity === 'error') ?? about[0];
@@ -63,10 +70,29 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
   };
 
   const hint = [field.text, field.range ? `Range: ${field.range}.` : '', !field.given && left ? `If omitted: ${left}.` : ''].filter(Boolean).join(' ');
-  const other = field.kind === 'quantity' ? twin(typed || (field.given ? '' : left)) : '';
+  const other = field.kind === 'quantity' ? twin(shownText || (field.given ? '' : left)) : '';
+  const menuAtKey = (event: KeyboardEvent & { currentTarget: HTMLElement }): boolean => {
+    if (event.key !== 'ContextMenu' && !(event.key === 'F10' && event.shiftKey)) return false;
+    event.preventDefault();
+    const box = event.currentTarget.getBoundingClientRect();
+    openFieldMenu(field, shown, box.left, box.bottom);
+    return true;
+  };
+  const keys = (event: KeyboardEvent & { currentTarget: HTMLInputElement }): void => {
+    if (variation.key(event) || menuAtKey(event)) return;
+    if (event.key === 'Enter' && !variation.commit(true)) void send(event.currentTarget.value);
+    if (event.key === 'Escape' && !variation.cancel()) { setTyped(written); setFault(''); }
+  };
   return (
-    <div class={`row${field.kind === 'text' || field.kind === 'choice' ? ' wide' : ''}${wrong ? ' wrong' : message ? ' warned' : ''}${field.given ? '' : ' absent'}`} title={hint}>
-      <label for={id}>{shown}{field.required && !field.given ? <b class="must" aria-label="required"> *</b> : null}</label>
+    <div class={`row${variation.able ? ' number' : ''}${variation.text === null ? '' : ' varied'}${field.kind === 'text' || field.kind === 'choice' ? ' wide' : ''}${wrong ? ' wrong' : message ? ' warned' : ''}${field.given ? '' : ' absent'}`} title={hint}>
+      <label
+        for={id}
+        title={variation.able ? `${hint} Drag to vary it: Shift coarse, Alt fine, Esc back.`.trim() : undefined}
+        onContextMenu={(e) => { e.preventDefault(); openFieldMenu(field, shown, e.clientX, e.clientY); }}
+        {...variation.label}
+      >
+        {shown}{field.required && !field.given ? <b class="must" aria-label="required"> *</b> : null}
+      </label>
       {field.kind === 'choice' ? (
         <select id={id} value={written} onChange={(e) => void send(e.currentTarget.value)}>
           <option value="">{left ? `– (${left})` : '–'}</option>
@@ -75,15 +101,29 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
         </select>
       ) : (
         <input
-          id={id} value={typed} data-written={written} placeholder={left} spellcheck={false} autocomplete="off" aria-invalid={wrong}
-          onInput={(e) => setTyped(e.currentTarget.value)}
-          onBlur={(e) => void send(e.currentTarget.value)}
-          onKeyDown={(e) => {
-            if (e.key === 'Enter') void send(e.currentTarget.value);
-            if (e.key === 'Escape') { setTyped(written); setFault(''); }
-          }}
+          id={id}
+          value={shownText}
+          data-written={variation.text ?? written}
+          placeholder={left}
+          spellcheck={false}
+          autocomplete="off"
+          aria-invalid={wrong}
+          onInput={(e) => { const text = e.currentTarget.value; variation.cancel(); setTyped(text); }}
+          onBlur={(e) => { if (!variation.commit() && variation.text === null) void send(e.currentTarget.value); }}
+          onKeyDown={keys}
         />
       )}
+      <button
+        type="button"
+        class="tiny more"
+        tabIndex={-1}
+        aria-label={`Commands of ${shown}`}
+        title="Commands (Shift+F10 in the field)"
+        aria-haspopup="menu"
+        onClick={(e) => { const box = e.currentTarget.getBoundingClientRect(); openFieldMenu(field, shown, box.left, box.bottom); }}
+      >
+        ⋯
+      </button>
       <span class="twin" title={other}>{other}</span>
       {message ? <p class={wrong ? 'fault' : 'note'} role={wrong ? 'alert' : undefined}>{message}</p> : null}
     </div>

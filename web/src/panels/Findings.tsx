@@ -1,17 +1,22 @@
-// Findings in brief: three are shown, all serious ones in any case; the others unfold.
+// Findings in brief, the serious ones first: each leads to its object, place and time; most of the notes unfold.
 import { useState } from 'preact/hooks';
 import type { Bullet } from '../logic/findings';
-import { leadTo } from '../state/lead';
+import { followFinding, hasPlace } from '../state/findingPlace';
 
-const leastShown = 3;
+const leastShown = 4;
 
 function Item({ b }: { b: Bullet }) {
-  const name = b.key ? <button type="button" class="link" onClick={() => leadTo(b.key)}>{b.name}</button> : b.name ? <b>{b.name}:</b> : null;
+  const name = b.name || b.object || '';
   return (
     <li class={b.severity} title={b.code}>
-      <span class="severity">{b.severity}</span>{' '}
-      {name}{name ? ' ' : ''}
-      {b.short === b.full ? b.full : <details><summary>{b.short}</summary><p>{b.full}</p></details>}
+      <span class="hidden">{b.severity}: </span>
+      {b.short === b.full ? b.full : <details><summary title="Show all of it"><span class="short">{b.short}</span><span class="full">{b.full}</span></summary></details>}
+      {name || hasPlace(b) ? (
+        <span class="place">
+          {hasPlace(b) ? <button type="button" class="link" onClick={() => followFinding(b)}>{name || 'show the place'}</button> : name}
+          {b.time !== undefined ? `, t = ${b.time.toFixed(1)} s` : ''}
+        </span>
+      ) : null}
     </li>
   );
 }

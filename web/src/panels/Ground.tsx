@@ -1,7 +1,7 @@
 // The laid pipe: how it lies on an uneven bed, and on its route.
 import type { LaidPipeState, RouteSummary } from '../api/types';
 import { numberIn, text, unitName } from '../logic/show';
-import { Value } from './Results';
+import { Value } from './StingerSections';
 
 const many = 8; // spans shown one by one
 

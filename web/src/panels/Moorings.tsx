@@ -6,7 +6,8 @@ import { columnsFor, levelColours, lineCell, lineLevel, lineTable } from '../log
 import { display, numberIn, unitName, withTwin } from '../logic/show';
 import { tidy } from '../logic/units';
 import { failure } from '../state/live';
-import { aloneInTime, calmState, chooseLine, chosenLine, linesOfRun, planShown, stage } from '../state/moorings';
+import { aloneInTime, calmState, chooseLine, chosenLine, linesOfRun, stage } from '../state/moorings';
+import { mode } from '../state/picture';
 import { calmLay, ofRun } from '../state/shown';
 import { MooringsInTime } from './MooringsInTime';
 
@@ -73,7 +74,7 @@ export function MooringResults() {
   const lines = state.moorings.length > 0, name = lines ? 'Moorings' : 'Station keeping';
   return (
     <section class={`moored${failure.value && !ofRun.value ? ' old' : ''}`} aria-label={name}>
-      <h3>{name} <button type="button" class="link" onClick={() => { planShown.value = !planShown.value; }}>{planShown.value ? '3-D view' : 'plan'}</button></h3>
+      <h3>{name} <button type="button" class="link" onClick={() => { mode.value = mode.value === 'plan' ? '3d' : 'plan'; }}>{mode.value === 'plan' ? '3-D view' : 'plan'}</button></h3>
       <StageChoice />
       {lines ? <MooringTable lines={linesOfRun.value ?? state.moorings} inTime={linesOfRun.value !== null} /> : null}
       {linesOfRun.value ? <p class="brief">Tensions: largest of the run. Other columns: at rest.</p> : null}

@@ -2,13 +2,16 @@
 import type { MotionName, MotionSpread } from '../api/types';
 import { display } from '../logic/show';
 import { tidy } from '../logic/units';
-import { slots } from '../state/look';
 import { calmState } from '../state/moorings';
 import { extremes } from '../state/offsets';
 import { runSummary } from '../state/runs';
+import { stormHistories } from '../state/storm';
+import { showDockTab } from '../state/workspace';
 
-/** Shows the history in the second diagram. */
-const showHistory = (name: string): void => { slots.value = slots.value.map((s, i) => (i === 1 ? `history:${name}` : s)); };
+const showHistory = (name: string): void => {
+  stormHistories.value = [name, ...stormHistories.value.filter((other) => other !== name)];
+  showDockTab('storm', 'histories');
+};
 
 interface Shown { name: string; history: string; unit: string; parts: MotionSpread | undefined }
 

@@ -1,30 +1,10 @@
 // What a key result hangs on: the inputs whose tolerance moves it most, as a tornado.
-import { effect, signal } from '@preact/signals';
-import { post } from '../api/client';
-import type { Change, SensitivityAnswer, SensitivityInput } from '../api/types';
+import { signal } from '@preact/signals';
+import type { SensitivityAnswer, SensitivityInput } from '../api/types';
 import { changes } from '../state/live';
-import { revision } from '../state/model';
-import { sayError } from '../state/notices';
+import { findingSensitivities as busy, findSensitivities, sensitivities as found } from '../state/sensitivities';
 
-const found = signal<{ answer: SensitivityAnswer; revision: number; changes: Change[] } | null>(null);
-const busy = signal(false);
 const chosen = signal('');
-
-async function find(): Promise<void> {
-  busy.value = true;
-  const asked = { revision: revision.value, changes: changes.value };
-  try {
-    const answer = await post<SensitivityAnswer>('sensitivities', { changes: asked.changes });
-    if (asked.revision === revision.value) found.value = { answer, ...asked };
-  } catch (error) {
-    sayError(error);
-  } finally {
-    busy.value = false;
-  }
-}
-
-// The text of the model is another one: they are not its own.
-effect(() => { void revision.value; found.value = null; });
 
 function Bar({ share, up }: { share: number; up: boolean }) {
   const width = 50 * Math.abs(share);
@@ -65,7 +45,7 @@ export function Sensitivities() {
   return (
     <section class={`sensitivities${old ? ' old' : ''}`} aria-label="Sensitivities">
       <h3>What this result hangs on {old ? <small>before the last change</small> : null}</h3>
-      <button type="button" disabled={busy.value} onClick={() => { void find(); }}>
+      <button type="button" disabled={busy.value} onClick={() => { void findSensitivities(); }}>
         {busy.value ? 'computing ...' : at ? 'compute again' : 'compute the sensitivities'}
       </button>
       {at ? <Tornado answer={at.answer} /> : null}

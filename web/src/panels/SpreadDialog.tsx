@@ -6,7 +6,7 @@ import { twin } from '../logic/units';
 import { byPath, setKeys } from '../state/model';
 import { dialog } from '../state/look';
 import { say } from '../state/notices';
-import { planShown } from '../state/moorings';
+import { mode } from '../state/picture';
 import { shownScene } from '../state/shown';
 import { Dialog } from './Dialog';
 
@@ -28,7 +28,7 @@ export function SpreadDialog() {
     try {
       await setKeys(spreadChanges({ ...wish, angles: parseAngles(angles, wish.count)! }, hull, (path) => byPath.value.get(path)?.given ?? false));
       say(`${wish.count} mooring lines written into the model`);
-      planShown.value = true;
+      mode.value = 'plan';
       close();
     } catch (error) {
       setRefused(error instanceof ApiError ? error.message : String(error));

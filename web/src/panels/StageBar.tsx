@@ -1,20 +1,40 @@
 // Slider over the stages of the operation, under the picture.
-import { columnUnit, columnsOf, cell, stageName } from '../logic/operation';
+import { address } from '../api/client';
+import { columnUnit, columnsOf, cell, stagePlace } from '../logic/operation';
 import { ofRun } from '../state/shown';
-import { chooseStage, chosenStage, nextStage, operation, playing } from '../state/operation';
+import { chooseStage, chosenStage, nextStage, operation, outdated, playing } from '../state/operation';
+import { Light } from './operation/StageTable';
+import { ReportLinks } from './ReportLinks';
+
+/** What a glance needs: how far, tension, head, clearance, utilisation. */
+function Readings() {
+  const solved = operation.value!, stage = solved.stages[chosenStage.value];
+  if (!stage) return null;
+  const all = columnsOf(solved), columns = all.filter((c) => c === all[0] || ['top', 'head z', 'end z', 'tip', 'use'].includes(c.name)).slice(0, 5);
+  return <span class="readings">{columns.map((c) => <span key={c.name} class="reading" title={c.title}><small>{c.name}</small> {cell(c, stage)} {columnUnit(c)}</span>)}</span>;
+}
+
+function step(wanted: number): void {
+  const now = chosenStage.value;
+  void chooseStage(operation.value?.stages[wanted]?.values ? wanted : nextStage(now, wanted > now ? 1 : -1));
+}
 
 export function StageBar() {
-  const o = operation.value, i = chosenStage.value, stage = o?.stages[i];
-  if (!o || !stage || ofRun.value) return null;
-  const columns = columnsOf(o).filter((c) => ['top', 'head z', 'tip', 'use'].includes(c.name) || c === columnsOf(o)[0]);
+  const solved = operation.value, i = chosenStage.value, stage = solved?.stages[i];
+  if (!solved || ofRun.value) return null;
+  const name = stage ? `stage ${stagePlace(stage, i, solved.stages.length)}` : 'the lay';
   return (
     <div class="animation stagebar" role="group" aria-label="Stages of the operation">
       <button type="button" class="main" aria-label={playing.value ? 'Pause' : 'Play the stages'} onClick={() => { playing.value = !playing.value; }}>{playing.value ? '❚❚' : '▶'}</button>
-      <input type="range" aria-label="Stage" min={0} max={o.stages.length - 1} step={1} value={i} aria-valuetext={`stage ${stageName(stage, i)}`}
-        onInput={(e) => { const wanted = Number(e.currentTarget.value); void chooseStage(o.stages[wanted]?.values ? wanted : nextStage(i, wanted > i ? 1 : -1)); }} />
-      <output class="which" title={`stage ${stageName(stage, i)}`}>stage <b>{stageName(stage, i)}</b> of {o.stages.length}</output>
-      <span class="readings">{columns.slice(0, 5).map((c) => <span key={c.name} class="reading" title={c.title}><small>{c.name}</small> {cell(c, stage)} {columnUnit(c)}</span>)}</span>
-      <button type="button" class="tiny" aria-label="Back to the lay" title="Back to the lay" onClick={() => void chooseStage(-1)}>✕</button>
+      <input type="range" aria-label="Stage" min={0} max={solved.stages.length - 1} step={1} value={Math.max(0, i)} aria-valuetext={name} onInput={(e) => step(Number(e.currentTarget.value))} />
+      <output class="which" title={name}>
+        {stage ? <><Light stage={stage} /> stage <b>{stagePlace(stage, i, solved.stages.length)}</b></> : <>{solved.stages.length} stages <small>the lay is shown</small></>}
+      </output>
+      <Readings />
+      {stage ? <button type="button" class="tiny" aria-label="Back to the lay" title="Back to the lay" onClick={() => void chooseStage(-1)}>✕</button> : null}
+      <span class={`sheet${outdated.value ? ' old' : ''}`} title={outdated.value ? 'Of the stages as they were solved' : undefined}>
+        <ReportLinks file={address('operation/report.html')} show={address('operation/report.html?show=1')} name="operation.html" words="Procedure sheet" title="Report of all stages, with the procedure sheet that goes on board" />
+      </span>
     </div>
   );
 }

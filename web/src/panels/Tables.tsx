@@ -4,8 +4,10 @@ import type { Lay } from '../api/types';
 import type { TableData } from '../components/document';
 import { Table, type RowAction } from '../components/Table';
 import { withTwin } from '../logic/show';
+import { pathOfName } from '../state/findings';
 import { cursor } from '../state/look';
 import { chooseLine, chosenLine } from '../state/moorings';
+import { selectObject } from '../state/workspace';
 
 type Tables = [file: string, table: TableData][];
 
@@ -18,41 +20,47 @@ function tablesIn({ tables, run_tables }: Lay): Tables | undefined {
 /** Names of lines choose the line, those of roller boxes show where they are. */
 function actionIn(lay: Lay, name: string): RowAction | undefined {
   const box = lay.supports.find((support) => support.name === name);
-  if (box) return { act: () => { cursor.value = box.s; }, title: 'Show the location' };
+  if (box) return { act: () => { cursor.value = box.s; selectObject(pathOfName(name)); }, title: 'Show the location' };
   const lines = [...lay.lines, ...(lay.moorings?.rest.moorings ?? [])];
   if (!lines.some((line) => line.name === name)) return undefined;
   return { act: () => chooseLine(name), title: 'Show this line', chosen: chosenLine.value === name };
 }
 
+interface TableProps { file: string; table: TableData; lay: Lay }
+
+function OpenTable({ file, table, lay }: TableProps) {
+  return (
+    <Table
+      table={table}
+      sortable
+      copyable
+      file={file}
+      rowAction={(first) => actionIn(lay, first)}
+      numberTitle={(number, { unit }) => withTwin(number, unit)}
+    />
+  );
+}
+
 /** Long ones are drawn only when they are unfolded. */
-function FoldedTable({ file, table, lay }: { file: string; table: TableData; lay: Lay }) {
+function FoldedTable({ file, table, lay }: TableProps) {
   const [open, setOpen] = useState(false);
   return (
     <details onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>{table.title}</summary>
-      {open ? (
-        <Table
-          table={{ ...table, title: '' }}
-          sortable
-          copyable
-          file={file}
-          rowAction={(first) => actionIn(lay, first)}
-          numberTitle={(number, { unit }) => withTwin(number, unit)}
-        />
-      ) : null}
+      {open ? <OpenTable file={file} table={{ ...table, title: '' }} lay={lay} /> : null}
     </details>
   );
 }
 
-export function Tables({ lay }: { lay: Lay | null }) {
+/** All tables, each folded; `names`: those alone, unfolded. */
+export function Tables({ lay, names }: { lay: Lay | null; names?: string[] }) {
   const known = useRef<Tables>([]);
   const tables = lay && tablesIn(lay);
   if (tables) known.current = tables;
   if (!lay || known.current.length === 0) return null;
   return (
     <section class={`tables${tables ? '' : ' old'}`} aria-label="Tables of results">
-      <h3>Tables</h3>
-      {known.current.map(([file, table]) => <FoldedTable key={table.title} file={file} table={table} lay={lay} />)}
+      {known.current.map(([file, table]) => (names ? names.includes(file) ? <OpenTable key={table.title} file={file} table={table} lay={lay} /> : null : <FoldedTable key={table.title} file={file} table={table} lay={lay} />))}
     </section>
   );
 }

@@ -2,6 +2,7 @@
 // tensioner on, unless a name says otherwise. In alphabetical order of the blocks.
 import type { LayData, Position } from '../components/lay';
 import type { MooringSpread } from '../components/mooringSpread';
+import type { OperabilityData } from '../components/Operability';
 import type { Vector } from '../components/painter';
 
 import type { LayTableCurves } from '../api/types';
@@ -234,21 +235,6 @@ export interface StudyGroupData {
 export interface SwingData { output: string; base: number; bars: { name: string; low: number; high: number; low_word: string; high_word: string }[] }
 
 export interface CorrelationData { output: string; bars: { name: string; value: number }[] }
-
-export interface LimitData { at: number[]; limit: number | null; beyond: boolean; decided: boolean; governing: string }
-
-/** Largest value of a key that passes, for every combination of the others. */
-export interface OperabilityData {
-  over: string;
-  least: number | null;
-  largest: number;
-  alpha: number | null;
-  axes: StudyAxisData[];
-  cells: LimitData[];
-  /** Workable time [%]. */
-  months?: number[];
-  year?: number;
-}
 
 export interface StudyData {
   shape: 'single' | 'curves' | 'maps' | 'one_at_a_time' | 'sample';

@@ -4,7 +4,8 @@ import { get } from '../api/client';
 import type { Series } from '../api/types';
 import { blend, decode, linesBetween, type Chunk, type FramesAnswer } from '../logic/frames';
 import { indexBefore } from '../logic/series';
-import { columns, fetchSeries, selected } from './runs';
+import { columns, fetchSeries } from './runs';
+import { shownRun } from './shown';
 import { sayError } from './notices';
 
 const piece = 60; // frames in one request
@@ -158,7 +159,7 @@ export function startAnimation(): void {
     if (active.value && columns.value.length) untracked(() => { followHistories(); void findLargest(); });
   });
   effect(() => {
-    const run = selected.value;
+    const run = shownRun.value;
     const id = run && run.kind === 'dynamic' && run.has_results ? run.id : null;
     untracked(() => { if (id && id !== runId) { close(); void open(id); } else if (!id && runId) close(); });
   });

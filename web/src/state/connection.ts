@@ -1,19 +1,33 @@
-// The stream of events from the program.
-import { signal } from '@preact/signals';
-import { listen } from '../api/client';
+// Whether the program can be reached: by the stream of its events, and by the answers to requests.
+import { computed, effect, signal, untracked } from '@preact/signals';
+import { listen, watchAnswers } from '../api/client';
 import type { Run } from '../api/types';
-import { modelEvent } from './model';
+import { modelEvent, sendAgain } from './model';
 import { stageEvent, type StageEvent } from './operation';
 import { fetchRuns, runEvent } from './runs';
 
-export const connected = signal(true);
+const streaming = signal(true);
+const answering = signal(true);
+export const connected = computed(() => streaming.value && answering.value);
+
+/** What happened while the program or the network was away is asked for, and what was typed is sent. */
+function comeBack(): void {
+  void fetchRuns();
+  sendAgain();
+}
 
 export function connect(): void {
+  const on = {
+    run: (run: Run) => runEvent(run),
+    model: (event: { revision: number }) => modelEvent(event),
+    stage: (event: StageEvent) => stageEvent(event),
+  };
+  listen(on, (open) => { streaming.value = open; });
+  watchAnswers((answered) => { answering.value = answered; });
   let away = false;
-  listen({ run: (run: Run) => runEvent(run), model: (event: { revision: number }) => modelEvent(event), stage: (event: StageEvent) => stageEvent(event) }, (on) => {
-    connected.value = on;
-    // what happened while the program or the network was away is asked for
-    if (on && away) void fetchRuns();
-    away = !on;
+  effect(() => {
+    const back = connected.value && away;
+    away = !connected.value;
+    if (back) untracked(comeBack);
   });
 }

@@ -1,4 +1,4 @@
-// Live statics: values on top of the model that are tried out with sliders, and the solution that belongs to them.
+// Live statics: values on top of the model that are tried out, and the solution that belongs to them.
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { get } from '../api/client';
 import { Solver } from '../api/solver';
@@ -10,6 +10,7 @@ import { colourBy, slots } from './look';
 import { byPath, errors, fields, hasModel, opened, revision, setKeys } from './model';
 import { say, sayError } from './notices';
 
+const depthKey = 'environment.water_depth', trimKey = 'vessel.trim';
 export const values = signal<LiveValues>({});
 export const base = computed<LiveBase>(() => readBase(fields.value));
 export const changes = computed<Change[]>(() => liveChanges(base.value, values.value));
@@ -24,22 +25,30 @@ const calmTime = 100;
 export const dragging = signal(false);
 const standing = signal<Scene | null>(null);
 /** What stands still, with the values tried out. */
-export const scene = computed<Scene | null>(() => (standing.value ? liveScene(standing.value, values.value.depth, values.value.trim, base.value.trim) : null));
+export const scene = computed<Scene | null>(() => (standing.value ? liveScene(standing.value, values.value[depthKey], values.value[trimKey], base.value.fields.get(trimKey)?.si ?? 0) : null));
+/** The program has been solving for longer than the eye would take as at once. */
+export const solvingNow = signal(false);
 /** From the moment of asking to the answer, in ms. */
 export const roundTrip = signal(0);
 
 interface Request { asked: number; revision: number; body: { changes: Change[]; full: boolean; lists?: string[] } }
 
 /** Lists along the pipe that are on the screen: no others are sent while dragging. */
-const looked = (): string[] => [...new Set([colourBy.value, ...slots.value])].filter((name) => /^(tension|moment|bending_stress|von_mises|strain|utilisation|checks)$/.test(name));
+const looked = (): string[] => [...new Set([colourBy.value, ...slots.value])].filter((name) => /^(effective_tension|bending_moment|bending_stress|von_mises|strain|utilisation|checks)$/.test(name));
 
 /** Revision with which the open model was opened. */
 let openedAt = 0;
+
+let slowTimer = 0;
+/** A solution that takes longer than this is said to be on its way [ms]. */
+const slow = 150;
 
 const gate = new Solver<Request>(
   (answer: StaticAnswer, request) => batch(() => {
     if (request.revision < openedAt) return; // of the model that was open before
     roundTrip.value = performance.now() - request.asked;
+    clearTimeout(slowTimer);
+    solvingNow.value = false;
     ++solved.count;
     if (answer.status === 'converged') { failure.value = null; solution.value = answer; }
     else if (answer.status === 'failed') failure.value = answer;
@@ -50,6 +59,12 @@ const gate = new Solver<Request>(
   }),
   sayError,
 );
+
+function submit(request: Request): void {
+  clearTimeout(slowTimer);
+  slowTimer = window.setTimeout(() => { solvingNow.value = true; }, slow);
+  gate.submit(request);
+}
 
 /** Answers taken in since the start, for measurements. */
 export const solved = { count: 0 };
@@ -68,22 +83,28 @@ function stir(): void {
   restTimer = window.setTimeout(rest, 250);
 }
 
-export function setLive(key: string, value: number | undefined): void {
+/** Tries out an SI value of a key, or of a variable that sets several; undefined goes back to the model's. */
+export function setLive(id: string, si: number | undefined): void {
   stir();
   const next = { ...values.value };
-  if (value === undefined) delete next[key]; else next[key] = value;
+  if (si === undefined) delete next[id]; else next[id] = si;
   values.value = next;
 }
 
 export function resetLive(): void { values.value = {}; }
 
-export async function applyLive(): Promise<void> {
-  const list = changes.value.map((c) => ({ ...c, value: inUnitOf(String(c.value), String(byPath.value.get(c.path)?.value ?? '')) }));
+/** Writes what is tried out into the model, in one step: everything, or one value only. */
+export async function applyLive(id?: string): Promise<void> {
+  const wanted = values.value;
+  const part: LiveValues = id === undefined ? wanted : id in wanted ? { [id]: wanted[id]! } : {};
+  const written = (path: string): string => String(byPath.value.get(path)?.value ?? '');
+  const list = liveChanges(base.value, part).map((c) => (typeof c.value === 'string' ? { ...c, value: inUnitOf(c.value, written(c.path)) } : c));
   if (list.length === 0) return;
   try {
-    await setKeys(list);
-    resetLive();
-    say('Written into the model');
+    // what was varied further meanwhile stays tried out
+    const rest = (): void => { values.value = Object.fromEntries(Object.entries(values.value).filter(([key, si]) => part[key] !== si)); };
+    if (!await setKeys(list, rest)) return;
+    if (id === undefined) say('Written into the model');
   } catch (error) { sayError(error); }
 }
 
@@ -115,7 +136,7 @@ export function startLive(): void {
     const ready = hasModel.value && errors.value.length === 0;
     void revision.value;
     const list = changes.value, lean = dragging.value;
-    if (ready) untracked(() => { if (!lean || list !== last) gate.submit({ asked: performance.now(), revision: revision.value, body: { changes: list, full: false, ...(lean ? { lists: looked() } : {}) } }); last = list; });
+    if (ready) untracked(() => { if (!lean || list !== last) submit({ asked: performance.now(), revision: revision.value, body: { changes: list, full: false, ...(lean ? { lists: looked() } : {}) } }); last = list; });
     else untracked(() => { if (hasModel.value && errors.value[0]) failure.value = { what: 'The model has an error', where: errors.value[0].key || `line ${errors.value[0].line}`, why: errors.value[0].message }; });
   });
   effect(() => {

@@ -3,7 +3,8 @@ import { effect, signal, type Signal } from '@preact/signals';
 import { quantity } from '../logic/show';
 import type { Picked } from '../view/picking';
 
-function kept<T>(name: string, start: T): Signal<T> {
+/** A signal that the browser keeps from one visit to the next. */
+export function kept<T>(name: string, start: T): Signal<T> {
   let value = start;
   try { const text = localStorage.getItem(`overbend.${name}`); if (text !== null) value = JSON.parse(text) as T; } catch { /* private window */ }
   const s = signal(value);
@@ -16,11 +17,10 @@ export const theme = kept<Theme>('theme', matchMedia('(prefers-color-scheme: dar
 export type ColourBy = 'von_mises' | 'bending_stress' | 'effective_tension' | 'strain' | 'utilisation' | 'checks';
 export const colourBy = kept<ColourBy>('colour', 'von_mises');
 if (!quantity(colourBy.value)) colourBy.value = 'von_mises';  // kept from a visit when it had another name
-export const leftTab = kept<'form' | 'yaml' | 'operation' | 'laytable' | 'study' | 'runs'>('tab', 'form');
-/** Below 1,100 px the panes are tabs: which of them is shown. */
-export const pane = kept<'model' | 'picture' | 'results' | 'diagrams'>('pane', 'picture');
-/** Width of the left pane in px; 0 as the page has it. */
+/** Widths of the side columns and height of the dock in px; 0 as the page has it. */
 export const leftWidth = kept<number>('left', 0);
+export const rightWidth = kept<number>('right', 0);
+export const dockHeight = kept<number>('dock', 0);
 export const slots = kept<string[]>('diagrams', ['elevation', 'bending_stress', 'effective_tension', 'von_mises']);
 
 /** Arc length from the tensioner that pointer and diagrams share; null when the pointer is elsewhere. */

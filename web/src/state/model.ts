@@ -1,6 +1,6 @@
 // The open model: text, fields and faults, and everything that changes them. The program holds the truth; the page
 // sends each change with the revision it knows, so that two tabs cannot overwrite each other unseen.
-import { computed, signal } from '@preact/signals';
+import { batch, computed, signal } from '@preact/signals';
 import { ApiError, get, post, put } from '../api/client';
 import type { Change, Diagnostic, DiskConflict, Field, Info, ModelAnswer } from '../api/types';
 import { UndoStack, type Kept } from '../logic/undo';
@@ -21,7 +21,7 @@ export const conflict = signal<{ mine: string; changes: Change[] } | null>(null)
 /** Save found another text in the file than the one that was read: both, until the user says which shall stay. */
 export const overwrite = signal<{ name: string; mine: string; theirs: string; version: string } | null>(null);
 /** Version of the model's file that this page knows. */
-const disk = signal<string | null | undefined>(undefined);
+export const disk = signal<string | null | undefined>(undefined);
 /** An example as it was opened: as long as it is untouched nothing would be lost with it. */
 const untouched = signal<string | null>(null);
 /** Whether opening another model would lose something. */
@@ -54,6 +54,8 @@ function noteUndo(): void {
 // Requests that change the model go one after another: each needs the revision that the one before it made.
 let queue: Promise<unknown> = Promise.resolve();
 export const writing = signal(0);
+/** Whether the text is one that the program did not get, since it did not answer. */
+const unsent = signal(false);
 
 function inTurn<T>(act: () => Promise<T>): Promise<T> {
   ++writing.value;
@@ -129,15 +131,22 @@ export async function putText(next: string, origin: string, name?: string): Prom
       if (name !== undefined) fileName.value = name;
       hasModel.value = true;
     }, () => next);
-  } catch (error) { sayError(error); }
+    unsent.value = false;
+  } catch (error) {
+    if (error instanceof ApiError && error.status === 0) unsent.value = true;
+    sayError(error);
+  }
 }
 
+/** Sends the text that the program did not get while it could not be reached. */
+export function sendAgain(): void { if (unsent.value) void putText(text.value, 'undo'); }
+
 /** Sets keys in the YAML, unless another change came before: then the user is asked, and this gives false. Throws with the
- * program's reason where the keys cannot be set. */
-export async function setKeys(changes: Change[]): Promise<boolean> {
+ * program's reason where the keys cannot be set. `taken` is done together with the change, so that nothing is shown in between. */
+export async function setKeys(changes: Change[], taken?: () => void): Promise<boolean> {
   return guarded(async () => {
     const answer = await post<ModelAnswer>('model/set', { changes, revision: revision.value });
-    take(answer);
+    batch(() => { take(answer); taken?.(); });
     undoStack.push(answer.text, 'form', performance.now());
     noteUndo();
   }, () => text.value, changes);
@@ -195,7 +204,7 @@ export const typing = signal(false);
 
 /** The browser asks before the page is left with changes that the program has not taken yet. */
 export function guardLeaving(): void {
-  addEventListener('beforeunload', (e) => { if (typing.value || writing.value > 0) e.preventDefault(); });
+  addEventListener('beforeunload', (e) => { if (typing.value || writing.value > 0 || unsent.value) e.preventDefault(); });
 }
 
 /** How often the newer text was chosen: a field then shows that, also where it is what the model had before. */

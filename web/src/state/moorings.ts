@@ -1,4 +1,4 @@
-// Which stage of an operation is shown, which line is looked at, and whether the plan stands in the place of the 3-D view.
+// Which stage of an operation is shown, and which line is looked at.
 import { computed, effect, signal, untracked } from '@preact/signals';
 import type { MooredState, MooringLine } from '../api/types';
 import { largestOfRun, stateOf } from '../logic/moorings';
@@ -11,7 +11,6 @@ import { calmLay, shownLay } from './shown';
 export const stage = signal(-1);
 /** Name of the line that is looked at. */
 export const chosenLine = signal<string | null>(null);
-export const planShown = signal(false);
 
 /** A second choice of the same line ends it. */
 export function chooseLine(name: string): void {
@@ -36,5 +35,4 @@ export const aloneInTime = computed(() => (selectedId.value ? runSummary.value?.
 /** Another model, another run: its rest is shown. */
 export function startMoorings(): void {
   effect(() => { void opened.value; void selectedId.value; untracked(() => { stage.value = -1; chosenLine.value = null; }); });
-  effect(() => { if (shownLay.value && !shownLay.value.moorings) planShown.value = false; });
 }

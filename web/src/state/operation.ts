@@ -2,8 +2,12 @@
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { get, post } from '../api/client';
 import type { Diagnostic, Lay, Operation, OperationStage } from '../api/types';
-import { values } from './live';
-import { byPath, opened, revision } from './model';
+import { bedHeight } from '../logic/bed';
+import { firstOperation, needsLay, type FirstOperation, type LaySize, type OperationParts } from '../logic/firstOperation';
+import { designChanges, listChanges, operationTypes, shortenedEnd } from '../logic/operationKeys';
+import { write } from '../logic/units';
+import { calm, changes, failure, scene, values } from './live';
+import { byPath, errors, opened, revision, setKeys } from './model';
 import { say, sayError } from './notices';
 import { selectedId } from './runs';
 
@@ -11,9 +15,9 @@ interface Solved extends Operation { status: 'solved'; revision: number }
 type Answer = Solved | { status: 'overtaken' } | { status: 'invalid'; diagnostics: Diagnostic[] };
 export interface StageEvent { done: number; of: number; name: string; stands: boolean }
 
-/** Types of operation on the line; others are of vessel and moorings. */
-const ofLine = ['abandonment', 'recovery', 'lay_down', 'start_up', 'move', 'passage', 'ballast', 'shore_pull', 'hold_back', 'lift'];
-export const hasOperation = computed(() => ofLine.includes(String(byPath.value.get('operation.type')?.value ?? '')));
+export const typeName = computed(() => String(byPath.value.get('operation.type')?.value ?? ''));
+/** An operation on the line; others are of vessel and moorings. */
+export const hasOperation = computed(() => operationTypes.some((type) => type.id === typeName.value));
 
 export const operation = signal<Solved | null>(null);
 /** While stages are being solved: the last that is done. */
@@ -21,6 +25,9 @@ export const progress = signal<StageEvent | null>(null);
 export const solving = signal(false);
 /** The model has changed since the stages were solved. */
 export const outdated = computed(() => operation.value !== null && operation.value.revision !== revision.value);
+
+/** The solved stages in the order of the model's list: a recovery is done in reverse. */
+export const listedStages = computed<OperationStage[]>(() => { const stages = operation.value?.stages ?? []; return typeName.value === 'recovery' ? [...stages].reverse() : stages; });
 
 /** Number of the stage from 0; -1 none: the lay as the model describes it. */
 export const chosenStage = signal(-1);
@@ -45,6 +52,75 @@ export async function solveOperation(): Promise<void> {
     const first = answer.stages.findIndex((s) => s.values !== null);
     await chooseStage(answer.stages[chosenStage.value]?.values ? chosenStage.value : first);
   } catch (error) { sayError(error); } finally { solving.value = false; progress.value = null; }
+}
+
+/** Null where the lay of the model as it is written is not solved: an operation cannot be sized then. */
+function laySize(): LaySize | null {
+  const lay = calm.value, around = scene.value, { key, touchdown, pipe } = lay ?? {};
+  if (!lay || !around || !key || !touchdown || !pipe?.s.length || failure.value || changes.value.length || lay.revision !== revision.value) return null;
+  const [x, y] = [pipe.x[0]!, pipe.y[0]!], reach = Math.hypot(touchdown.place[0] - x, touchdown.place[1] - y) || 1;
+  const [ax, ay] = [(touchdown.place[0] - x) / reach, (touchdown.place[1] - y) / reach];
+  const boxes = lay.supports.filter((b) => b.structure === 'stinger');
+  return {
+    joint: byPath.value.get('pipe.joint.length')?.si ?? 12, touchdown: touchdown.s, tip: boxes.length ? Math.max(...boxes.map((b) => b.s)) : 0.1 * touchdown.s,
+    tension: key.top_tension, bottomTension: key.bottom_tension, height: pipe.z[0]!,
+    depthAt: (distance) => -bedHeight(around.seabed, x + ax * distance, y + ay * distance),
+  };
+}
+
+/** The names that an item has, or gets where it has none: "tank 1". */
+function firstName(list: RegExp, unnamed: string): string {
+  const item = [...byPath.value.values()].find((f) => f.given && list.test(f.path));
+  if (!item) return '';
+  const path = list.exec(item.path)![0];
+  return String(byPath.value.get(`${path}.name`)?.value ?? '') || unnamed;
+}
+
+/** What the model has for operations of structures, tanks and davits. */
+export const operationParts = computed<OperationParts>(() => {
+  const text = (path: string): string => String(byPath.value.get(path)?.value ?? '');
+  const davits: OperationParts['davits'] = [];
+  for (let i = 0; byPath.value.has(`lines[${i}]`); ++i) {
+    const held = [0, 1].some((end) => byPath.value.get(`lines[${i}].ends[${end}].line`)?.given), length = byPath.value.get(`lines[${i}].length`)?.si;
+    if (held && text(`lines[${i}].name`) && length) davits.push({ name: text(`lines[${i}].name`), length });
+  }
+  return { structure: firstName(/^pipe\.structures\[0\]/, 'structure 1'), tank: firstName(/^supports\.stinger\.(?:sections\[\d+\]\.)?tanks\[0\]/, 'tank 1'), davits };
+});
+
+/** Writes an operation of this type with first values into the model, in the place of any other. */
+export async function addOperation(type: FirstOperation): Promise<void> {
+  const lay = laySize();
+  if (!lay && needsLay(type)) {
+    say('No operation was added: it is sized by the lay of the model, which has no solution yet. Wait for the solution, correct the model, or apply or reset the values on the sliders.');
+    return;
+  }
+  const clear = byPath.value.get('operation')?.given ? [{ path: 'operation', value: null }] : [];
+  try { await setKeys([...clear, ...firstOperation(type, lay, operationParts.value)]); } catch (error) { sayError(error); }
+}
+
+/** How often a procedure is shortened: the steps become finer each time. */
+const maxShortenings = 3;
+
+/** Tensions are sought that keep the limits, and all stages are solved. With less tension less cable reaches the bed: stages
+ * that would only pay out cable onto the bed are left out. */
+export async function designProcedure(): Promise<void> {
+  const next = designChanges(byPath.value);
+  if (next.length === 0) return;
+  try {
+    if (!await setKeys(next) || errors.value.length > 0) return;
+    await solveOperation();
+    for (let i = 0; i < maxShortenings && operation.value && !outdated.value; ++i) {
+      const end = shortenedEnd(typeName.value, operation.value.stages);
+      if (end === null || !await setKeys([{ path: 'operation.stages.to', value: write(end, 'm') }])) return;
+      await solveOperation();
+    }
+  } catch (error) { sayError(error); }
+}
+
+/** The stages that are solved as a list in the model, to be changed one by one. */
+export async function listStages(): Promise<void> {
+  if (!operation.value || outdated.value) return;
+  try { if (await setKeys(listChanges(typeName.value, operation.value.stages))) await solveOperation(); } catch (error) { sayError(error); }
 }
 
 export async function chooseStage(i: number): Promise<void> {

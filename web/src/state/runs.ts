@@ -5,6 +5,7 @@ import type { Check, Column, Envelopes, Impact, Lay, Run, RunSummary, Scene, Stu
 import { isStudy, listedNames, newerList } from '../logic/runs';
 import { opened } from './model';
 import { say, sayError } from './notices';
+import { workspace } from './workspace';
 
 export const runs = signal<Run[]>([]);
 export const selectedId = signal<string | null>(null);
@@ -20,6 +21,8 @@ export const runSummary = signal<RunSummary | null>(null);
 export const study = signal<Study | null>(null);
 /** Its code checks. */
 export const runChecks = computed<Check[] | null>(() => { const s = runSummary.value; return (s?.dynamic ?? s)?.checks?.list ?? null; });
+/** Runs that have come to an end since the list was last looked at. */
+export const newRuns = signal<readonly string[]>([]);
 /** When a run was first seen running: for the time to finish. */
 const begun = new Map<string, { at: number; progress: number }>();
 
@@ -52,14 +55,17 @@ export function annotate(id: string, words: { name?: string; note?: string }): P
   return annotated;
 }
 
-export async function deleteRun(id: string): Promise<void> {
-  try { await post(`runs/${id}/delete`); forget(id); } catch (error) { sayError(error); }
+export async function deleteRuns(ids: readonly string[]): Promise<void> {
+  for (const id of ids) {
+    try { await post(`runs/${id}/delete`); forget(id); } catch (error) { sayError(error); return; }
+  }
 }
 
 function forget(id: string): void {
   const gone = (r: Run): boolean => r.id === id || r.parent === id;
   if (selected.value && gone(selected.value)) select(null);
   runs.value = runs.value.filter((r) => !gone(r));
+  newRuns.value = newRuns.value.filter((known) => known !== id);
 }
 
 export async function resumeRun(id: string): Promise<void> {
@@ -90,6 +96,7 @@ export function select(id: string | null): void {
 /** Another model is opened: the page shows that one. */
 export function startRuns(): void {
   effect(() => { void opened.value; untracked(() => { if (selectedId.value) select(null); }); });
+  effect(() => { if (workspace.value === 'runs' && newRuns.value.length) newRuns.value = []; });
 }
 
 async function load(id: string): Promise<void> {
@@ -105,6 +112,7 @@ async function load(id: string): Promise<void> {
     if (!run.has_results) return;
     if (run.kind === 'study') return;
     if (isStudy(run)) {
+      if (run.state !== 'done') return; // its table is written at the end
       const gathered = await get<Study>(`runs/${id}/study`);
       if (current()) study.value = gathered;
       return;
@@ -126,6 +134,7 @@ export function runEvent(run: Run | { id: string; state: 'deleted' }): void {
   if (old?.state !== run.state) {
     if (run.id === selectedId.value) void load(run.id);
     if (run.state === 'done' && old && !run.parent) say(`${runName(run)}: done`);
+    if ((run.state === 'done' || run.state === 'failed') && old && !run.parent && workspace.value !== 'runs') newRuns.value = [...newRuns.value.filter((id) => id !== run.id), run.id];
   } else if (run.id === selectedId.value && run.state === 'running' && !run.parent && run.time !== undefined && columns.value.length === 0) void load(run.id);
 }
 

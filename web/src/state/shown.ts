@@ -1,13 +1,22 @@
-// What picture, diagrams and results show: the run that is looked at, else the stage of the operation that is chosen, else
-// the live statics of the open model.
+// What picture, diagrams and results show, by the workspace: Lay and Study the live statics of the open model, Operation the
+// stage that is chosen, Storm and Runs the run that is looked at. So results of a run are never mixed with another model.
 import { computed } from '@preact/signals';
-import type { Lay, Scene } from '../api/types';
+import type { Lay, OperationStage, Scene } from '../api/types';
 import { settled } from '../logic/moorings';
+import { isStudy } from '../logic/runs';
 import { calm, failure, scene, solution } from './live';
-import { stageLay } from './operation';
-import { runLay, runScene } from './runs';
+import { shownStage as chosenStage, stageLay as chosenLay } from './operation';
+import { runLay, runScene, selected } from './runs';
+import { workspace } from './workspace';
 
-export const ofRun = computed(() => runLay.value !== null && runScene.value !== null);
+const ofStages = computed(() => workspace.value === 'operation');
+const ofRuns = computed(() => workspace.value === 'storm' || workspace.value === 'runs');
+
+export const shownRun = computed(() => (ofRuns.value && selected.value && !isStudy(selected.value) && selected.value.kind !== 'study' ? selected.value : null));
+export const ofRun = computed(() => shownRun.value !== null && runLay.value !== null && runScene.value !== null);
+export const shownStage = computed<OperationStage | null>(() => (ofStages.value ? chosenStage.value : null));
+const stageLay = computed<Lay | null>(() => (ofStages.value ? chosenLay.value : null));
+
 export const shownLay = computed<Lay | null>(() => (ofRun.value ? runLay.value : stageLay.value ?? solution.value));
 /** The same, at the pace of panels and diagrams. */
 export const calmLay = computed<Lay | null>(() => (ofRun.value ? runLay.value : stageLay.value ?? calm.value));

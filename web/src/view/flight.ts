@@ -53,6 +53,14 @@ export class Flight {
     this.moved();
   }
 
+  /** Closer to a place, from the side that the picture is seen from. */
+  approach(place: THREE.Vector3, distance: number): void {
+    const back = this.camera.position.clone().sub(this.controls.target).normalize();
+    this.view = null;
+    this.path = { from: [this.camera.position.clone(), this.controls.target.clone()], to: [place.clone().addScaledVector(back, distance), place.clone()], start: performance.now() };
+    this.moved();
+  }
+
   private isAt(to: Shot): boolean {
     const near = 1e-4 * to.eye.distanceTo(to.target); // less than a tenth of a pixel
     return this.camera.position.distanceTo(to.eye) < near && this.controls.target.distanceTo(to.target) < near;

@@ -1,40 +1,58 @@
-// Names over the picture. A label that would cover another one is left out.
+// Names over the picture; where they are placed see logic/labelPlaces.ts.
 import * as THREE from 'three';
 import type { Lay, Scene } from '../api/types';
+import { labelHeight, placeNames, type Rect, type Wanted } from '../logic/labelPlaces';
 import { axes } from './cameras';
 import { vec } from './members';
 
 export interface Label { text: string; place: THREE.Vector3; weight: number }
 
+/** A name as it stands in the picture [px]. */
+export interface ShownName { text: string; x: number; middle: number; top: number; leader: number; chosen: boolean }
+
+const heaviest = 100;
+
 export class Labels {
+  shown: ShownName[] = [];
+  /** Of what stands over the picture [px]. */
+  taken: Rect[] = [];
+  chosen = '';
   private pool: HTMLSpanElement[] = [];
   constructor(private readonly box: HTMLElement) {}
 
   draw(list: Label[], camera: THREE.Camera, width: number, height: number): void {
-    const taken: [number, number, number, number][] = [];
     const p = new THREE.Vector3();
-    let used = 0;
-    for (const label of [...list].sort((a, b) => b.weight - a.weight)) {
+    const seen: Label[] = [];
+    const wanted: Wanted[] = [];
+    for (const label of list) {
       p.copy(label.place).project(camera);
       if (p.z > 1 || Math.abs(p.x) > 0.98 || Math.abs(p.y) > 0.97) continue;
-      const w = 7 * label.text.length + 12;
-      // whole within the picture
-      const x = Math.min(Math.max(((p.x + 1) / 2) * width, w / 2 + 2), width - w / 2 - 2), y = ((1 - p.y) / 2) * height;
-      const rect: [number, number, number, number] = [x - w / 2, y - 40, x + w / 2, y - 18];
-      if (taken.some((t) => rect[0] < t[2] && rect[2] > t[0] && rect[1] < t[3] && rect[3] > t[1])) continue;
-      taken.push(rect);
-      const span = this.pool[used] ?? this.grow();
-      ++used;
-      if (span.textContent !== label.text) span.textContent = label.text;
-      span.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px) translate(-50%, -38px)`;
-      span.hidden = false;
+      seen.push(label);
+      const weight = label.text === this.chosen ? heaviest : label.weight;
+      wanted.push({ x: ((p.x + 1) / 2) * width, y: ((1 - p.y) / 2) * height, width: 7 * label.text.length + 12, weight });
     }
-    for (let i = used; i < this.pool.length; ++i) this.pool[i]!.hidden = true;
+    const placed = placeNames(wanted, { x0: 0, y0: 0, x1: width, y1: height }, this.taken);
+    this.shown = placed.map(({ index, middle, top, leader }) => {
+      const { text } = seen[index]!;
+      return { text, x: wanted[index]!.x, middle, top, leader, chosen: text === this.chosen };
+    });
+    this.shown.forEach((name, i) => this.write(this.pool[i] ?? this.grow(), name));
+    for (const span of this.pool.slice(this.shown.length)) { span.hidden = true; span.classList.remove('chosen'); }
+  }
+
+  private write(span: HTMLSpanElement, { text, x, middle, top, leader, chosen }: ShownName): void {
+    if (span.textContent !== text) span.textContent = text;
+    span.style.transform = `translate(${Math.round(middle)}px, ${Math.round(top)}px) translateX(-50%)`;
+    span.style.setProperty('--leader', `${Math.round(leader)}px`);
+    span.style.setProperty('--aside', `${Math.round(x - middle)}px`);
+    span.classList.toggle('chosen', chosen);
+    span.hidden = false;
   }
 
   private grow(): HTMLSpanElement {
     const span = document.createElement('span');
     span.className = 'label3d';
+    span.style.height = `${labelHeight}px`;
     this.box.append(span);
     this.pool.push(span);
     return span;

@@ -1,5 +1,6 @@
 // Mooring lines with their anchors and fairleads, and lines by themselves: tubes drawn thick enough to be seen from far.
 import * as THREE from 'three';
+import { valueScale } from '../components/colourScale';
 import type { LineAtRest, MooredState, Vector } from '../api/types';
 import { levelColours, lineLevel } from '../logic/moorings';
 import type { Label } from './labels';
@@ -54,7 +55,7 @@ export class MooringsView {
       tube.setRadius(picked ? 4 * wire : wire);
       tube.setLeast(picked ? 2.6 : 1.2);
       tube.setPlaces(line.points);
-      if (line.values) tube.setColours(line.values, Math.min(...line.values), Math.max(...line.values), 'stress');
+      if (line.values) tube.setColours(line.values, valueScale(line.values));
       else tube.setColour(picked ? '#ff2d7a' : line.colour);
     });
     this.setPixel(this.pixel);

@@ -40,6 +40,22 @@ export function pick(t: Target, x: number, y: number): Picked {
   return best;
 }
 
+/** Where a click on the picture lies in the world: on a roller or the pipe, else on an upright plane through the pipe or lines, else on the water. */
+export function placeUnder(t: Target, x: number, y: number, plane: { point: THREE.Vector3; normal: THREE.Vector3 } | null): THREE.Vector3 | null {
+  const hit = pick(t, x, y);
+  if (hit?.kind === 'roller') return hit.roller.center.clone().applyMatrix4(t.afloat);
+  if (hit?.kind === 'station') return new THREE.Vector3(t.points[3 * hit.index], t.points[3 * hit.index + 1], t.points[3 * hit.index + 2]);
+  const ray = new THREE.Raycaster();
+  ray.setFromCamera(new THREE.Vector2((2 * x) / t.width - 1, 1 - (2 * y) / t.height), t.camera);
+  const far = 20 * Math.max(100, t.camera.position.length());
+  const upright = plane && Math.abs(plane.normal.dot(ray.ray.direction)) > 0.12 ? new THREE.Plane().setFromNormalAndCoplanarPoint(plane.normal, plane.point) : null;
+  for (const surface of [upright, new THREE.Plane(new THREE.Vector3(0, 0, 1), 0)]) {
+    const at = surface && ray.ray.intersectPlane(surface, new THREE.Vector3());
+    if (at && at.distanceTo(t.camera.position) < far) return at;
+  }
+  return null;
+}
+
 /** Lines have few points far apart: the way between them counts as well. */
 function pickLine(t: Target, x: number, y: number): Picked {
   const p = new THREE.Vector3();

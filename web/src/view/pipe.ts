@@ -1,7 +1,6 @@
 // The pipe: a tube with its true radius, drawn thicker only where it would be thinner than a few pixels on the screen.
 import * as THREE from 'three';
-import type { Rgb } from '../components/colourScale';
-import { colourAt, type MapName } from '../logic/colour';
+import { valueShares, type Rgb, type ValueScale } from '../components/colourScale';
 import type { PartName } from '../logic/operation';
 import { tube, tubeIndices, type Tube } from '../logic/tube';
 
@@ -85,14 +84,14 @@ export class PipeView {
     if (attribute) attribute.needsUpdate = true;
   }
 
-  setColours(values: ArrayLike<number> | null, low: number, high: number, map: MapName, parts: { at: (i: number) => PartName; colours: Record<'head' | 'cable', string> } | null = null): void {
+  setColours(values: ArrayLike<number> | null, scale: ValueScale, parts: { at: (i: number) => PartName; colours: Record<'head' | 'cable', string> } | null = null): void {
     const n = this.shape?.stations ?? 0;
     const rgb: Rgb = [0, 0, 0];
     const linear = new THREE.Color();
     for (let i = 0; i < n; ++i) {
       const part = parts?.at(i) ?? 'pipe';
       if (part !== 'pipe') linear.set(parts!.colours[part]);
-      else if (values) linear.setRGB(...colourAt(map, (values[i]! - low) / (high - low || 1), rgb), THREE.SRGBColorSpace);
+      else if (values) linear.setRGB(...valueShares(scale, values[i]!, rgb), THREE.SRGBColorSpace);
       else linear.setRGB(0.55, 0.58, 0.61, THREE.SRGBColorSpace);
       for (let j = 0, k = i * sides * 3; j < sides; ++j) { this.colours[k++] = linear.r; this.colours[k++] = linear.g; this.colours[k++] = linear.b; }
     }

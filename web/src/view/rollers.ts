@@ -1,7 +1,7 @@
 // Every roller at its true place: solid and coloured by its reaction where the pipe rests on it, an outline where it is clear.
 import * as THREE from 'three';
 import type { Support } from '../api/types';
-import { colourAt } from '../logic/colour';
+import { loadShares } from '../logic/colour';
 import { vec } from './members';
 
 const shape = new THREE.CylinderGeometry(1, 1, 1, 20, 1);
@@ -30,11 +30,37 @@ export class RollersView {
   private readonly faint = new THREE.MeshStandardMaterial({ color: '#9fb2c2', transparent: true, opacity: 0.22, depthWrite: false });
   private ghost: THREE.InstancedMesh | null = null;
   private places = new Float32Array(0);
+  private readonly chosen = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: '#0b66c2', depthTest: false, transparent: true }));
+  private chosenName: string | null = null;
   private shownReactions: Map<string, number> | null = null;
 
   constructor() {
     this.clear.frustumCulled = false;
-    this.group.add(this.clear);
+    this.chosen.frustumCulled = false;
+    this.chosen.renderOrder = 9;
+    this.group.add(this.clear, this.chosen);
+  }
+
+  /** The rollers of the selected box in outline, over everything. */
+  choose(name: string | null): void {
+    this.chosenName = name;
+    this.outlineChosen();
+  }
+
+  private outlineChosen(): void {
+    const corner = new THREE.Vector3();
+    const grown = new THREE.Matrix4().makeScale(1.12, 1.06, 1.12);
+    const points = this.list.filter((r) => r.support.name === this.chosenName).flatMap((r) => {
+      const matrix = r.matrix.clone().multiply(grown);
+      return lines.flatMap((p) => corner.copy(p).applyMatrix4(matrix).toArray());
+    });
+    this.chosen.visible = points.length > 0;
+    if (points.length === 0) return;
+    const had = this.chosen.geometry.getAttribute('position') as THREE.BufferAttribute | undefined;
+    if (had?.array.length === points.length) { had.set(points); had.needsUpdate = true; return; }
+    this.chosen.geometry.dispose();
+    this.chosen.geometry = new THREE.BufferGeometry();
+    this.chosen.geometry.setAttribute('position', new THREE.Float32BufferAttribute(points, 3));
   }
 
   set(supports: Support[], largest: number): void {
@@ -68,7 +94,7 @@ export class RollersView {
         for (const p of lines) { corner.copy(p).applyMatrix4(matrix).toArray(this.places, lined); lined += 3; }
         this.solid!.setMatrixAt(i, nothing);
       }
-      colour.setRGB(...colourAt('load', r.reaction / (largest || 1)), THREE.SRGBColorSpace);
+      colour.setRGB(...loadShares(r.reaction / (largest || 1)), THREE.SRGBColorSpace);
       this.solid!.setColorAt(i, colour);
       if (r.position === 'bottom') rowOf.set(s, (rowOf.get(s) ?? -1) + 1);
       this.list.push({ support: s, row: rowOf.get(s) ?? 0, position: r.position, reaction: r.reaction, separation: r.separation, center: vec(r.center), matrix: matrix.clone() });
@@ -80,6 +106,7 @@ export class RollersView {
     if (this.solid!.instanceColor) this.solid!.instanceColor.needsUpdate = true;
     this.clear.geometry.getAttribute('position').needsUpdate = true;
     this.clear.geometry.setDrawRange(0, lined / 3);
+    if (this.chosenName !== null) this.outlineChosen();
     if (this.shownReactions) this.setReactions(this.shownReactions, this.largestShown);
   }
 
@@ -95,7 +122,7 @@ export class RollersView {
       const value = of.get(r.support.name);
       if (value === undefined) colour.setRGB(0.5, 0.53, 0.56, THREE.SRGBColorSpace);
       else if (value <= 0) colour.setRGB(0.75, 0.79, 0.82, THREE.SRGBColorSpace);
-      else colour.setRGB(...colourAt('load', value / (largest || 1)), THREE.SRGBColorSpace);
+      else colour.setRGB(...loadShares(value / (largest || 1)), THREE.SRGBColorSpace);
       this.solid!.setColorAt(i, colour);
       this.solid!.setMatrixAt(i, r.matrix);
     });

@@ -1,5 +1,6 @@
 // Everything that stands in the picture: brought up to a scene, a solution, and a moment of a run.
 import * as THREE from 'three';
+import type { ValueScale } from '../components/colourScale';
 import type { Lay, LineParts, MooredState, Scene, Vessel } from '../api/types';
 import { partAt, partColours, type PartName } from '../logic/operation';
 import { TensionerArrow, type Machine } from './arrows';
@@ -12,7 +13,7 @@ import { rig } from './rig';
 import { RollersView } from './rollers';
 import { seaCorners, SeaView, widerCorners } from './sea';
 
-export interface Colouring { values: ArrayLike<number> | null; low: number; high: number }
+export interface Colouring { values: ArrayLike<number> | null; scale: ValueScale }
 /** A stage of an operation, and the pose of the vessel in it. */
 export interface MooredStage { state: MooredState; pose: number[] }
 
@@ -117,7 +118,7 @@ export class Stage {
     const drawn = parts && solution && !moment ? parts : null;
     const at = (i: number): PartName => partAt(drawn!.parts, solution!.pipe.s[i] ?? 0);
     this.pipe.setThickness(drawn ? (i) => ({ pipe: 1, head: 1.6, cable: drawn.cable })[at(i)] : null);
-    if (c) this.pipe.setColours(c.values, c.low, c.high, 'stress', drawn ? { at, colours: partColours(this.dark) } : null);
+    if (c) this.pipe.setColours(c.values, c.scale, drawn ? { at, colours: partColours(this.dark) } : null);
   }
 
   private setPipe(s: Lay): void {
@@ -191,7 +192,7 @@ export class Stage {
   private flash(f: Moment['flashes'][number]): void {
     const roller = this.rollers.list.find((r) => r.support.name === f.support && r.row === f.row && r.position === f.position);
     if (!roller) return;
-    const glow = new THREE.Mesh(new THREE.SphereGeometry(0.55 + 0.9 * f.strength, 16, 12), new THREE.MeshBasicMaterial({ color: '#ffea00', transparent: true, opacity: 0.25 + 0.6 * f.strength, depthWrite: false }));
+    const glow = new THREE.Mesh(new THREE.SphereGeometry(0.3 + 0.4 * f.strength, 16, 12), new THREE.MeshBasicMaterial({ color: '#ffea00', transparent: true, opacity: 0.2 + 0.35 * f.strength, depthWrite: false }));
     glow.position.copy(roller.center);
     glow.renderOrder = 8;
     this.flashGroup.add(glow);

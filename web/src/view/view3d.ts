@@ -1,21 +1,18 @@
 // The three-dimensional picture. It is drawn again only when something has changed.
 import * as THREE from 'three';
-import type { Lay, Scene } from '../api/types';
+import type { Lay, Scene, Vector } from '../api/types';
+import type { Rect } from '../logic/labelPlaces';
 import type { ViewName } from '../logic/views';
 import { Flight } from './flight';
 import { seeThrough } from './hull';
-import { Labels } from './labels';
-import { followPointer, pick, type Picked } from './picking';
+import { Labels, type ShownName } from './labels';
+import { followPointer, pick, placeUnder, type Picked, type Target } from './picking';
+import { Pace } from './pace';
+import { RulerLine } from './rulerLine';
+import { axes } from './cameras';
+import { vec } from './members';
+import { cursorMark, drawnByProcessor, lights } from './world';
 import { Stage, type Colouring, type DrawnParts, type Moment, type MooredStage } from './stage';
-
-/** Without a graphics card every sample of a pixel costs: smooth edges are then given up for pictures a second. */
-function drawnByProcessor(): boolean {
-  const gl = document.createElement('canvas').getContext('webgl2');
-  const names = gl?.getExtension('WEBGL_debug_renderer_info');
-  const name = names ? String(gl!.getParameter(names.UNMASKED_RENDERER_WEBGL)) : '';
-  gl?.getExtension('WEBGL_lose_context')?.loseContext();
-  return /swiftshader|llvmpipe|software|basic render/i.test(name);
-}
 
 export class View3D {
   onPick: (p: Picked, x: number, y: number) => void = () => undefined;
@@ -25,16 +22,16 @@ export class View3D {
   private readonly world = new THREE.Scene();
   private readonly flight: Flight;
   private readonly stage = new Stage();
-  private readonly marker: THREE.Mesh;
+  private readonly marker = cursorMark();
   private readonly labels: Labels;
   private dirty = true;
   private width = 1;
   private height = 1;
   private readonly observer: ResizeObserver;
   private running = true;
-  private coarse = 1;
-  private slow = 0;
-  private lastDraw = -Infinity;
+  private paused = false;
+  private readonly ruler = new RulerLine();
+  private readonly sharpness = new Pace();
   private lastLabels = -Infinity;
   private dragging = false;
   private drawn = false; // in the turn before
@@ -53,15 +50,7 @@ export class View3D {
     this.labels = new Labels(overlay);
     this.flight = new Flight(this.renderer.domElement, () => this.redraw());
 
-    const sun = new THREE.DirectionalLight('#ffffff', 2.1);
-    sun.position.set(-0.4, -1, 1.6);
-    const back = new THREE.DirectionalLight('#cfe4ff', 0.7);
-    back.position.set(0.6, 1, 0.5);
-    this.world.add(sun, back, new THREE.HemisphereLight('#eaf4ff', '#8a7d63', 1.25));
-    this.marker = new THREE.Mesh(new THREE.SphereGeometry(1, 20, 14), new THREE.MeshBasicMaterial({ color: '#ff2d7a', transparent: true, opacity: 0.9, depthTest: false }));
-    this.marker.renderOrder = 10;
-    this.marker.visible = false;
-    this.world.add(this.stage.group, this.marker);
+    this.world.add(...lights(), this.stage.group, this.marker, this.ruler.group);
 
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(box);
@@ -70,20 +59,60 @@ export class View3D {
     const loop = (now: number): void => {
       if (!this.running) return;
       requestAnimationFrame(loop);
+      if (this.paused) return;
       this.flight.fly(now);
       if (!this.dirty) { this.rest(now); return; }
       // Where the processor draws, the page stands still meanwhile: while dragging it is left more than half of the time.
-      if (this.drawn) { this.cost = now - this.lastDraw; this.drawn = false; }
-      if (this.dragging && this.byProcessor && this.cost > 25 && now - this.lastDraw < Math.min(160, 2.5 * this.cost)) return;
+      if (this.drawn) { this.cost = this.sharpness.since(now); this.drawn = false; }
+      if (this.dragging && this.byProcessor && this.cost > 25 && this.sharpness.since(now) < Math.min(160, 2.5 * this.cost)) return;
       this.drawn = true;
       this.dirty = false;
-      this.pace(now);
+      if (this.sharpness.next(now)) this.setPixels();
       this.draw();
     };
     requestAnimationFrame(loop);
   }
 
   redraw(): void { this.dirty = true; }
+
+  /** While a drawing stands in its place nothing is drawn. */
+  setPaused(on: boolean): void { this.paused = on; if (!on) this.redraw(); }
+
+  /** Rectangles over the picture that names keep clear of [px]. */
+  keepClear(taken: Rect[]): void { this.labels.taken = taken; this.lastLabels = -Infinity; this.redraw(); }
+
+  /** Marks a box. */
+  chooseBox(name: string | null): void {
+    this.stage.rollers.choose(name);
+    this.labels.chosen = name ?? '';
+    this.lastLabels = -Infinity;
+    this.redraw();
+  }
+
+  setRuler(points: readonly Vector[]): void { this.ruler.set(points); this.redraw(); }
+
+  /** Flies to a box. */
+  approachBox(name: string): void {
+    const box = this.stage.solution?.supports.find((s) => s.name === name);
+    if (box) this.flight.approach(vec(box.place).applyMatrix4(this.stage.afloat.matrix), 16);
+  }
+
+  /** Place in the world of a point of the picture. */
+  placeUnder(x: number, y: number): Vector | null {
+    const { scene, solution } = this.stage;
+    const at = solution?.tensioner?.place ?? scene?.vessel?.pose, point = at ? vec(at) : null;
+    const normal = scene?.vessel ? axes(scene.vessel).port : new THREE.Vector3(0, 1, 0);
+    return placeUnder(this.target, x, y, point && { point, normal })?.toArray() ?? null;
+  }
+
+  /** The picture with its names, in pixels of the screen. */
+  snapshot(): { canvas: HTMLCanvasElement; width: number; height: number; names: readonly ShownName[] } {
+    this.sharpness.coarse = 1;
+    this.setPixels();
+    this.lastLabels = -Infinity;
+    this.draw();
+    return { canvas: this.renderer.domElement, width: this.width, height: this.height, names: this.labels.shown };
+  }
 
   setDark(dark: boolean): void {
     this.stage.dark = dark;
@@ -109,7 +138,7 @@ export class View3D {
     if (on) {
       this.flight.stop();
       const least = this.byProcessor ? 0.5 : 1 / Math.min(2, devicePixelRatio);
-      if (this.coarse > least) { this.coarse = least; this.setPixels(); }
+      if (this.sharpness.lower(least)) this.setPixels();
     } else {
       this.stage.spoil();
       this.lastLabels = -Infinity;
@@ -146,23 +175,15 @@ export class View3D {
     if (scene && solution) this.flight.go(name, solution, scene, smooth);
   }
 
-  /** Coarser pixels while pictures follow each other too slowly. */
-  private pace(now: number): void {
-    const gap = now - this.lastDraw;
-    this.lastDraw = now;
-    if (gap > 400) { this.slow = 0; return; }
-    this.slow = gap > 45 ? this.slow + 1 : Math.max(0, this.slow - 1);
-    if (this.slow >= 3 && this.coarse > 0.45) { this.coarse *= 0.75; this.slow = 0; this.setPixels(); }
-  }
-
   /** Full sharpness again when the picture stands still. */
   private rest(now: number): void {
-    if (this.dragging || this.coarse === 1 || now - this.lastDraw < 350) return;
-    this.coarse = 1;
+    if (this.dragging || !this.sharpness.rest(now)) return;
     this.setPixels();
     this.draw();
-    this.lastDraw = -Infinity;
   }
+
+  /** 1 where the picture is sharp. */
+  get coarse(): number { return this.sharpness.coarse; }
 
   private setPixels(): void {
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio) * this.coarse);
@@ -195,6 +216,7 @@ export class View3D {
       const away = this.camera.position.distanceTo(this.marker.position);
       this.marker.scale.setScalar(Math.max(5.5 * pixel * away, 0));
     }
+    this.ruler.face(this.camera, pixel);
     this.renderer.render(this.world, this.camera);
     // moving names costs a layout of the page: a few times a second are enough while a value is dragged
     const now = performance.now();
@@ -206,11 +228,16 @@ export class View3D {
   }
 
   private listen(): void {
-    const at = (x: number, y: number): Picked => pick({ camera: this.camera, width: this.width, height: this.height, points: this.stage.pipe.points, rollers: this.stage.rollers.list, lines: this.stage.moorings.lines, afloat: this.stage.afloat.matrix }, x, y);
+    const at = (x: number, y: number): Picked => pick(this.target, x, y);
     followPointer(this.renderer.domElement, (x, y) => this.onPick(at(x, y), x, y), (x, y) => {
       const hit = at(x, y);
       this.onHover(hit?.kind === 'station' ? hit.index : null);
     }, () => this.onHover(null));
+  }
+
+  private get target(): Target {
+    const { pipe, rollers, moorings, afloat } = this.stage;
+    return { camera: this.camera, width: this.width, height: this.height, points: pipe.points, rollers: rollers.list, lines: moorings.lines, afloat: afloat.matrix };
   }
 
   get camera(): THREE.PerspectiveCamera { return this.flight.camera; }

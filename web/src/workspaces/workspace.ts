@@ -1,5 +1,6 @@
 // What a workspace of the page is made of; the frame (panels/App.tsx) places the parts.
 import type { ComponentType } from 'preact';
+import type { ReadonlySignal } from '@preact/signals';
 
 export type WorkspaceId = 'lay' | 'operation' | 'storm' | 'study' | 'runs' | 'report';
 
@@ -18,6 +19,8 @@ export interface WorkspaceParts {
   Strip?: ComponentType;
   /** Takes the place of the picture. */
   Middle?: ComponentType;
+  /** Whether the picture stands beside the workspace's own middle; without it never. */
+  picture?: ReadonlySignal<boolean>;
   /** Under the picture: sliders, play-back. */
   Bar?: ComponentType;
   /** Below; without any the middle has the whole height. */

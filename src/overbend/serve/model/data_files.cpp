@@ -64,7 +64,14 @@ fs::path place(const fs::path& folder, const std::string& name) {
 
 HttpAnswer upload(const fs::path& folder, const HttpRequest& request) {
   const Json body = request.json();
-  const std::string name = body.value("name", ""), text = body.value("text", "");
+  const std::string name = body.value("name", "");
+  write_data_file(folder, name, body.value("text", ""));
+  return json_answer({{"name", name}});
+}
+
+}  // namespace
+
+void write_data_file(const fs::path& folder, const std::string& name, const std::string& text) {
   const fs::path file = place(folder, name);
   std::error_code fault;
   if (fs::exists(fs::symlink_status(file, fault)) && file_text(file) != text) {
@@ -78,10 +85,7 @@ HttpAnswer upload(const fs::path& folder, const HttpRequest& request) {
     fs::remove(beside, fault);
     throw HttpFault(422, why.what());
   }
-  return json_answer({{"name", name}});
 }
-
-}  // namespace
 
 void add_data_routes(std::vector<HttpRoute>& routes, const fs::path& folder) {
   routes.push_back({"GET", "/api/data", [folder](const HttpRequest&) { return json_answer(data_files(folder)); }});

@@ -69,7 +69,8 @@ Json LiveStatics::solve(Model model, const StaticWish& wish) {
   // While a value is dragged the stages of an operation can wait.
   if (wish.lists) model.description.operation = {};
   std::unique_lock<std::mutex> hold(mutex_);
-  const std::shared_ptr<const Last> last = last_;
+  std::shared_ptr<const Last>& kept = wish.probe ? last_probe_ : last_;
+  const std::shared_ptr<const Last> last = wish.probe && !last_probe_ ? last_ : kept;
   hold.unlock();
   const bool near = !wish.full && last && close_by(*last, model);
   bool warm = near && !(model.description.has_pipe && pushed_sideways(model) && !wish.lists);
@@ -92,7 +93,7 @@ Json LiveStatics::solve(Model model, const StaticWish& wish) {
   if (!wish.lists) tell_hull(model, *found.results);  // while a value is dragged it can wait
   if (found.solution) {
     hold.lock();
-    last_ = std::make_shared<const Last>(
+    kept = std::make_shared<const Last>(
         Last{std::move(*found.solution), model.description.source_file, model.supports.rollers.size()});
     hold.unlock();
   }
@@ -163,9 +164,21 @@ Json LiveStatics::answer(const ModelText& model, const std::vector<YamlChange>& 
   return answer;
 }
 
-Json LiveStatics::solve(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish) {
+Json LiveStatics::probe(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish,
+                        std::uint64_t number) {
+  const InterruptionScope scope([&] { return newest_ != number; });
   try {
     return answer(model, changes, wish);
+  } catch (const Interrupted&) {
+    if (newest_ == number) throw;
+    return {{"status", "overtaken"}};
+  }
+}
+
+Json LiveStatics::solve(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish) {
+  const std::uint64_t number = ++newest_;
+  try {
+    return wish.probe ? probe(model, changes, wish, number) : answer(model, changes, wish);
   } catch (const Interrupted&) {
     return {{"status", "failed"},
             {"what", fmt::format("the statics take more than {} s", kShortLimit.count())},
@@ -184,7 +197,7 @@ void add_static_routes(std::vector<HttpRoute>& routes, OpenModel& model, LiveSta
   routes.push_back({"POST", "/api/static", [&](const HttpRequest& request) {
                       const Json body = request.json();
                       const std::vector<YamlChange> changes = changes_of(body.value("changes", Json::array()));
-                      StaticWish wish = {body.value("full", false), {}};
+                      StaticWish wish = {body.value("full", false), {}, body.value("probe", false)};
                       if (body.contains("lists")) wish.lists = body["lists"].get<std::vector<std::string>>();
                       return json_answer(statics.solve(model.now(), changes, wish));
                     }});

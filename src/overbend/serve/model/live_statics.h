@@ -1,6 +1,7 @@
 /// Statics while a value is being dragged.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -20,6 +21,7 @@ namespace overbend {
 struct StaticWish {
   bool full = false;                              ///< From nothing.
   std::optional<std::vector<std::string>> lists;  ///< Of `pipe`; all when not said.
+  bool probe = false;                             ///< Background request: any newer request ends it.
 };
 
 /// Keeps the last solution, from which the next one, a little further on, is found in few iterations. May be called
@@ -47,6 +49,8 @@ class LiveStatics {
   };
 
   Json answer(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish);
+  Json probe(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish,
+             std::uint64_t number);
   Json solve(Model model, const StaticWish& wish);
   static bool close_by(const Last& last, const Model& model);
   static bool is_sound(const Parsed& text);
@@ -57,6 +61,8 @@ class LiveStatics {
   std::mutex mutex_;  ///< On the pointers.
   std::shared_ptr<const Parsed> parsed_;
   std::shared_ptr<const Last> last_;
+  std::shared_ptr<const Last> last_probe_;  ///< Probes may be far from the state shown, which has a start of its own.
+  std::atomic<std::uint64_t> newest_{0};    ///< Number of the newest request.
 };
 
 /// GET /api/scene of a model's text.

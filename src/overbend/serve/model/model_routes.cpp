@@ -67,6 +67,18 @@ HttpAnswer save(OpenModel& model, const HttpRequest& request) {
   }
 }
 
+/// The model's file as it is now, which another program may have changed.
+HttpAnswer file_on_disk(const OpenModel& model) {
+  const std::string name = model.now().name;
+  Json version;
+  try {
+    if (!name.empty()) version = ModelFolder::version(model.folder().read(name));
+  } catch (const HttpFault&) {
+    // it is gone
+  }
+  return json_answer({{"name", name}, {"version", version}});
+}
+
 HttpAnswer example(const HttpRequest& request) {
   for (const Example& found : examples()) {
     if (found.name != request.parts[0]) continue;
@@ -99,6 +111,7 @@ void add_model_routes(std::vector<HttpRoute>& routes, OpenModel& model) {
                     }});
   routes.push_back({"POST", "/api/units", choose_units});
   routes.push_back({"GET", "/api/model", [&](const HttpRequest&) { return json_answer(model_json(model.now())); }});
+  routes.push_back({"GET", "/api/model/disk", [&](const HttpRequest&) { return file_on_disk(model); }});
   routes.push_back({"PUT", "/api/model", [&](const HttpRequest& r) { return put_model(model, r); }});
   routes.push_back({"POST", "/api/model/set", [&](const HttpRequest& r) { return set_keys(model, r); }});
   routes.push_back({"POST", "/api/model/open", [&](const HttpRequest& r) {

@@ -28,6 +28,11 @@ YamlChange change_of(const Json& request) {
   return {path, YamlChange::Kind::scalar, value.is_string() ? value.get<std::string>() : json_text(value)};
 }
 
+/// Whether the text is that of its file, also when undo has led back to it.
+bool is_saved(const ModelText& model) {
+  return model.disk && *model.disk == ModelFolder::version(model.text);
+}
+
 }  // namespace
 
 OpenModel::OpenModel(ModelFolder folder, std::function<void(std::int64_t)> changed)
@@ -66,13 +71,12 @@ ModelText OpenModel::put(const std::string& text, std::int64_t revision, const s
   std::unique_lock<std::mutex> hold(mutex_);
   require(revision, hold);
   ModelText next = model_;
-  next.saved = next.saved && text == next.text;
   next.text = text;
   if (name != nullptr && *name != next.name) {
     next.name = *name;
-    next.saved = false;
     next.disk.reset();
   }
+  next.saved = is_saved(next);
   return take(std::move(next));
 }
 
@@ -88,7 +92,7 @@ ModelText OpenModel::set(const std::vector<YamlChange>& changes, std::int64_t re
   }
   hold.lock();
   require(revision, hold);
-  next.saved = next.saved && next.text == model_.text;
+  next.saved = is_saved(next);
   return take(std::move(next));
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "modelfile/reading/yaml_reader.h"
+#include "numerics/welch.h"
 #include "resultfiles/dynamic/dynamic_reader.h"
 #include "results/tables/result_tables.h"
 #include "serve/answers/page_fields.h"
@@ -51,6 +53,26 @@ Json series_json(std::span<const double> time, std::span<const double> values, c
     high.push_back(seven_digits(greatest));
   }
   return {{"t", t}, {"min", low}, {"max", high}};
+}
+
+Json spectrum_json(std::span<const double> time, std::span<const double> values) {
+  const std::size_t rows = std::min(time.size(), values.size());
+  time = time.first(rows);
+  const auto begin = static_cast<std::size_t>(std::ranges::lower_bound(time, 0.0) - time.begin());
+  values = values.subspan(begin, rows - begin);
+  const double count = static_cast<double>(values.size());
+  const double step = count > 1.0 ? (time.back() - time[begin]) / (count - 1.0) : 1.0;
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / std::max(count, 1.0);
+  double squares = 0.0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const PowerSpectrum spectrum = power_spectrum(values, step);
+  Json frequency = Json::array(), density = Json::array();
+  for (const double f : spectrum.frequency) frequency.push_back(seven_digits(f));
+  for (const double d : spectrum.density) density.push_back(seven_digits(d));
+  return {{"frequency", frequency},
+          {"density", density},
+          {"segments", spectrum.segments},
+          {"std", seven_digits(std::sqrt(squares / std::max(count, 1.0)))}};
 }
 
 Json columns_json(const std::vector<HistoryColumn>& columns) {

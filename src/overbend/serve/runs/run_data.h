@@ -20,6 +20,10 @@ struct SeriesWindow {
 /// value.
 Json series_json(std::span<const double> time, std::span<const double> values, const SeriesWindow& window);
 
+/// `{frequency, density, segments, std}`: one-sided spectral density over frequency [Hz] of the rows from t = 0 on,
+/// which are equally spaced, and their standard deviation; empty lists for fewer than 8 rows.
+Json spectrum_json(std::span<const double> time, std::span<const double> values);
+
 /// `[{name, unit, text}]`, without the time.
 Json columns_json(const std::vector<HistoryColumn>& columns);
 

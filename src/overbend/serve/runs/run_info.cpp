@@ -55,6 +55,7 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
   if (summary.is_object()) {
     if (!run.is_matrix()) learn(run, summary);
     run.has_results = true;
+    add_verdict(run, summary);
     if (!cancelled_on_the_way(run, folder)) {
       run.state = RunState::done;
       run.progress = 1.0;
@@ -131,7 +132,10 @@ Json run_json(const RunInfo& run) {
                {"note", run.note},
                {"changed", run.changed},
                {"has_results", run.has_results},
-               {"resumable", run.resumable}};
+               {"resumable", run.resumable},
+               {"duration", seven_digits(run.duration)}};
+  if (!run.verdict.empty()) json["verdict"] = {{"kind", run.verdict}, {"words", run.verdict_text}};
+  if (run.utilisation) json["utilisation"] = seven_digits(*run.utilisation);
   if (run.now) {
     json["time"] = seven_digits(run.now->time);
     json["end"] = seven_digits(run.now->end);
@@ -139,6 +143,21 @@ Json run_json(const RunInfo& run) {
     json["worst_stress"] = seven_digits(run.now->worst_stress);
   }
   return json;
+}
+
+void add_verdict(RunInfo& run, const Json& summary) {
+  const Json& judged = summary.contains("dynamic") ? summary["dynamic"] : summary;
+  if (judged.contains("verdict")) {
+    run.verdict = judged["verdict"].value("kind", "");
+    run.verdict_text = judged["verdict"].value("words", "");
+  }
+  const Json::json_pointer worst("/checks/worst/utilisation");
+  if (judged.contains(worst) && judged[worst].is_number()) run.utilisation = judged[worst].get<double>();
+}
+
+void read_verdict(RunInfo& run, const fs::path& folder) {
+  const Json summary = read_json_file(folder / "summary.json");
+  if (summary.is_object()) add_verdict(run, summary);
 }
 
 bool can_be_resumed(const RunInfo& run, const fs::path& runs) {

@@ -20,10 +20,13 @@ struct RunNow {
 
 /// With its record, which is what stays of it on disk.
 struct RunInfo : RunRecord {
-  std::string id;            ///< Name of its folder; of a case of a study "STUDY~CASE".
-  std::string parent;        ///< Of a case: id of the study.
-  bool has_results = false;  ///< Of the whole run, or of what was computed before it was cancelled.
-  bool resumable = false;    ///< It can go on from a checkpoint.
+  std::string id;                     ///< Name of its folder; of a case of a study "STUDY~CASE".
+  std::string parent;                 ///< Of a case: id of the study.
+  bool has_results = false;           ///< Of the whole run, or of what was computed before it was cancelled.
+  bool resumable = false;             ///< It can go on from a checkpoint.
+  std::string verdict;                ///< Kind of its verdict, such as "passed"; empty without results and of a study.
+  std::string verdict_text;           ///< The verdict as a sentence.
+  std::optional<double> utilisation;  ///< Largest of its governing code checks.
   std::optional<RunNow> now;
 
   bool ended() const { return state != RunState::queued && state != RunState::running; }
@@ -48,6 +51,11 @@ inline constexpr const char* kStudyFolder = "study";
 /// Whether the folder below `runs` has what it takes to resume: a sound checkpoint, of a study one of a case or a
 /// finished case, and the model's text.
 bool can_be_resumed(const RunInfo& run, const std::filesystem::path& runs);
+
+/// Verdict and largest utilisation, of the time-domain simulation where the summary has one.
+void add_verdict(RunInfo& run, const Json& summary);
+/// The same from the summary file in the run's folder; nothing where it has none.
+void read_verdict(RunInfo& run, const std::filesystem::path& folder);
 
 double seconds_since_1970();
 

@@ -41,10 +41,9 @@ std::string make_folder(const fs::path& folder, const std::string& kind) {
   throw HttpFault(422, "the folder '" + folder.string() + "' cannot be written: " + fault.message());
 }
 
-/// "tensioner.tension 255 kN, vessel.trim 1 deg and 3 more keys"; empty where the texts say the same.
-std::string changes_in_words(const std::string& before, const std::string& text) {
+/// "tensioner.tension 255 kN, vessel.trim 1 deg and 3 more keys"; empty where there is none.
+std::string changes_in_words(const std::vector<DifferingKey>& keys) {
   constexpr std::size_t kShown = 2;
-  const std::vector<DifferingKey> keys = differing_keys(std::array{before, text});
   std::string words;
   for (std::size_t i = 0; i < std::min(kShown, keys.size()); ++i) {
     const std::string& value = keys[i].values[1];
@@ -52,6 +51,11 @@ std::string changes_in_words(const std::string& before, const std::string& text)
   }
   const std::size_t more = keys.size() - std::min(kShown, keys.size());
   return more == 0 ? words : words + " and " + std::to_string(more) + (more == 1 ? " more key" : " more keys");
+}
+
+/// Keys that name a model or choose runs: results of a run do not depend on them.
+bool has_no_results(const std::string& key) {
+  return key == "title" || key.starts_with("report") || key.starts_with("analysis.dynamic.seeds");
 }
 
 }  // namespace
@@ -109,7 +113,17 @@ std::string RunQueue::changed_since_last(const std::string& title, const std::st
   for (const RunInfo& run : list()) {
     if (run.parent.empty() && run.title == title && (!last || run.id > last->id)) last = run;
   }
-  return last ? changes_in_words(file_text(folder(*last) / kModelCopy), text) : "";
+  return last ? changes_in_words(differing_keys(std::array{file_text(folder(*last) / kModelCopy), text})) : "";
+}
+
+std::string RunQueue::changes_since(const std::string& id, const std::string& text) const {
+  RunInfo run = find(id);
+  if (!run.parent.empty()) run = find(run.parent);  // a study has one copy for all cases
+  const std::string before = file_text(folder(run) / kModelCopy);
+  if (before.empty()) throw HttpFault(404, "the run has no copy of its model");
+  std::vector<DifferingKey> keys = differing_keys(std::array{before, text});
+  std::erase_if(keys, [](const DifferingKey& key) { return has_no_results(key.key); });
+  return changes_in_words(keys);
 }
 
 RunInfo RunQueue::cancel(const std::string& id) {
@@ -247,9 +261,14 @@ void RunQueue::end(const std::string& id, RunState state, const std::string& mes
     if (!find(one.id).ended()) end(one.id, state == RunState::done ? state : RunState::cancelled, "");
   }
   const bool resumable = state != RunState::done && run.parent.empty() && can_be_resumed(run, folder_);
+  RunInfo judged = run;
+  read_verdict(judged, folder(run));
   update(
       id,
       [&](RunInfo& now) {
+        now.verdict = judged.verdict;
+        now.verdict_text = judged.verdict_text;
+        now.utilisation = judged.utilisation;
         now.state = state;
         now.message = message;
         now.resumable = resumable;

@@ -46,6 +46,9 @@ class RunQueue {
   std::vector<RunInfo> list() const;
   /// HttpFault 404 when there is none.
   RunInfo find(const std::string& id) const;
+  /// Keys with their values in which a model's text differs from that which a run was started with, in words; empty
+  /// where there is none. HttpFault 404 where the run has no copy of its model.
+  std::string changes_since(const std::string& id, const std::string& text) const;
   std::filesystem::path folder(const RunInfo& run) const { return folder_of(run, folder_); }
 
   const LiveHistory& live() const { return live_; }

@@ -13,6 +13,7 @@
 #include "resultfiles/dynamic/long_data_reader.h"
 #include "serve/answers/matrix_json.h"
 #include "serve/model/diagnose.h"
+#include "serve/model/model_fields.h"
 #include "serve/runs/run_data.h"
 #include "serve/runs/study_json.h"
 #include "study/campaign/study_folder.h"
@@ -178,6 +179,18 @@ HttpAnswer series(RunQueue& runs, const HttpRequest& request) {
   return json_answer(all.size() == 1 ? *all.begin() : Json{{"series", all}});
 }
 
+HttpAnswer spectrum(RunQueue& runs, const HttpRequest& request) {
+  const RunInfo run = runs.find(request.parts[0]);
+  const std::string name = request.parameter("name");
+  if (name.empty()) throw HttpFault(400, "the request lacks a 'name'");
+  return json_answer(spectrum_json(history(runs, run, "time"), history(runs, run, name)));
+}
+
+/// In which keys the open model differs from that of the run.
+HttpAnswer changes(const OpenModel& model, const RunQueue& runs, const HttpRequest& request) {
+  return json_answer({{"changed", runs.changes_since(request.parts[0], model.now().text)}});
+}
+
 HttpAnswer frames(RunQueue& runs, const HttpRequest& request) {
   const std::filesystem::path h5 = h5_of(runs, request);
   const auto first = static_cast<std::int64_t>(std::clamp(request.number("from", 0.0), 0.0, 1e12));
@@ -255,6 +268,16 @@ HttpAnswer scene(RunQueue& runs, const HttpRequest& request) {
   return json_answer(run_scene_json(h5, runs.find(request.parts[0]).model_path));
 }
 
+/// With which the run was started; of a case that of its study.
+HttpAnswer run_model(const RunQueue& runs, const HttpRequest& request) {
+  RunInfo run = runs.find(request.parts[0]);
+  if (!run.parent.empty()) run = runs.find(run.parent);
+  const std::string text = file_text(runs.folder(run) / kModelCopy);
+  const ModelReading reading = read_model_text(text, run.model_path);
+  const std::string name = std::filesystem::path(run.model_path).filename().string();
+  return json_answer({{"text", text}, {"name", name}, {"fields", model_fields(reading.tree.get())}});
+}
+
 HttpAnswer list(const RunQueue& runs) {
   Json all = Json::array();
   for (const RunInfo& run : runs.list()) all.push_back(run_json(run));
@@ -279,12 +302,15 @@ void add_run_routes(std::vector<HttpRoute>& routes, OpenModel& model, RunQueue& 
   routes.push_back({"GET", "/api/runs/*/scene", [&](Request r) { return scene(runs, r); }});
   routes.push_back(
       {"POST", "/api/runs/*/resume", [&](Request r) { return json_answer(run_json(runs.resume(r.parts[0]))); }});
+  routes.push_back({"GET", "/api/runs/*/model", [&](Request r) { return run_model(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/summary", [&](Request r) { return summary(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/matrix", [&](Request r) { return matrix(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/study", [&](Request r) { return study(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/table.csv", [&](Request r) { return table(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/columns", [&](Request r) { return columns(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/series", [&](Request r) { return series(runs, r); }});
+  routes.push_back({"GET", "/api/runs/*/spectrum", [&](Request r) { return spectrum(runs, r); }});
+  routes.push_back({"GET", "/api/runs/*/changes", [&](Request r) { return changes(model, runs, r); }});
   routes.push_back({"GET", "/api/runs/*/envelopes", [&](Request r) { return from_file(runs, r, envelopes_json); }});
   routes.push_back({"GET", "/api/runs/*/impacts", [&](Request r) { return from_file(runs, r, impacts_json); }});
   routes.push_back({"GET", "/api/runs/*/frames", [&](Request r) { return frames(runs, r); }});

@@ -2,7 +2,8 @@
 import { Chart } from '../../components/Chart';
 import type { LegendEntry, Point } from '../../components/chart/types';
 import { colours } from '../../components/colours';
-import { axisPlaces, keyAxis, nameEnd, roomAround } from '../../components/keyAxis';
+import { axisPlaces, keyAxis, roomAround } from '../../components/keyAxis';
+import { TwoSidedBars } from '../../components/TwoSidedBars';
 import type { CorrelationData, StudyData, StudyGroupData, SwingData } from '../data';
 import type { DrawFigure } from '../figures';
 import { describeGroup, groupsWith, valueWords } from './study_cases';
@@ -46,33 +47,6 @@ function StudyCurves({ study }: { study: StudyData }) {
         );
       })}
     </>
-  );
-}
-
-interface SideBar { name: string; low: number; high: number; title: string }
-
-const kRow = 24;
-
-/** Bars to both sides of a line, in the order of the list from the top. */
-function TwoSidedBars({ title, label, bars, middle, range }: { title: string; label: string; bars: SideBar[]; middle: number; range: [number, number] }) {
-  const middleOf = (row: number): number => bars.length - row - 0.5;
-  const heightOf = (row: number): [number, number] => [middleOf(row) - 0.33, middleOf(row) + 0.33];
-  return (
-    <Chart
-      small title={title} height={84 + kRow * bars.length} x={{ range, label, ticks: 5 }}
-      y={{ range: [0, bars.length], names: bars.map((bar, row) => ({ value: middleOf(row), text: nameEnd(bar.name, 26) })) }}
-      bars={bars.flatMap(({ low, high }, row) => [
-        { x: [low, middle] as const, y: heightOf(row), colour: colours.second },
-        { x: [middle, high] as const, y: heightOf(row), colour: colours.pipe },
-      ])}
-      verticals={[{ x: middle, colour: colours.ink, dash: 'none' }]}
-    >
-      {(frame) => bars.map((bar, row) => (
-        <rect y={frame.y(middleOf(row) + 0.5)} width={frame.right} height={frame.y(0) - frame.y(1)} fill="none" pointer-events="all">
-          <title>{bar.title}</title>
-        </rect>
-      ))}
-    </Chart>
   );
 }
 

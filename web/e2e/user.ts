@@ -1,0 +1,41 @@
+// A user whose actions are counted: a click, a drag, a typed or pasted value are one each, waiting and looking are none.
+import type { Locator, Page } from 'playwright-core';
+
+type Target = string | Locator;
+
+export class User {
+  actions = 0;
+  constructor(readonly page: Page) {}
+
+  private find(target: Target): Locator { return typeof target === 'string' ? this.page.locator(target).first() : target; }
+
+  async click(target: Target): Promise<void> {
+    ++this.actions;
+    await this.find(target).click();
+  }
+
+  /** A value into a field, which takes it as soon as the field is left. */
+  async type(target: Target, value: string): Promise<void> {
+    ++this.actions;
+    const field = this.find(target);
+    await field.fill(value);
+    await field.blur();
+  }
+
+  /** Writes over the line of an editor at whose beginning the caret is. */
+  async retypeLine(text: string): Promise<void> {
+    ++this.actions;
+    await this.page.keyboard.press('Shift+End');
+    await this.page.keyboard.insertText(text);
+  }
+
+  /** What a spreadsheet has copied, with Ctrl+V. */
+  async paste(text: string): Promise<void> {
+    ++this.actions;
+    await this.page.evaluate((copied) => {
+      const data = new DataTransfer();
+      data.setData('text/plain', copied);
+      (document.activeElement ?? document.body).dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }));
+    }, text);
+  }
+}

@@ -1,0 +1,80 @@
+// Columns of a list of the model, from the schema: its members with their units; groups of a few values, such as
+// x, y and z of a place, get a column for each.
+import { schemasAt, type Schema } from './schema';
+import { label, parts } from './formTree';
+
+export type ColumnKind = 'quantity' | 'number' | 'integer' | 'text' | 'choice' | 'nested';
+
+export interface GridColumn {
+  /** Path within an item: "x", "anchor.x"; empty where the items are values themselves. */
+  key: string;
+  title: string;
+  kind: ColumnKind;
+  /** Unit in which the program writes it; empty without. */
+  unit: string;
+  info: string;
+  choices: string[];
+  required: boolean;
+  /** As written where it is left out; empty without. */
+  standard: string;
+  /** A value that may stand there. */
+  example: string;
+}
+
+const mostInGroup = 3;
+
+/** Parts of a path as the schema knows them: items of lists are "[]". */
+export function schemaPath(path: string): string[] {
+  return parts(path).map((part) => (part.startsWith('[') ? '[]' : part));
+}
+
+/** The schema of an item of the list; null where the path is no list. */
+export function itemSchema(root: Schema, path: string): Schema | null {
+  return schemasAt(root, schemaPath(path)).find((s) => s.items !== undefined)?.items ?? null;
+}
+
+function kindOf(schema: Schema): ColumnKind {
+  if (schema.anyOf?.length || schema.properties || schema.items || typeof schema.additionalProperties === 'object') return 'nested';
+  if (schema.enum) return 'choice';
+  if (schema['x-unit']) return 'quantity';
+  const types = [schema.type ?? 'string'].flat();
+  if (types.includes('integer')) return 'integer';
+  return types.includes('number') && !types.includes('boolean') ? 'number' : 'text';
+}
+
+function column(schema: Schema, key: string, title: string, required: boolean): GridColumn {
+  return {
+    key, title, required, kind: kindOf(schema), unit: schema['x-unit'] ?? '', info: schema.description ?? '',
+    choices: (schema.enum ?? []).map(String), standard: schema.default === undefined ? '' : String(schema.default), example: String(schema.examples?.[0] ?? ''),
+  };
+}
+
+function isGroup(schema: Schema): boolean {
+  const members = Object.values(schema.properties ?? {});
+  return !schema.anyOf?.length && members.length > 0 && members.length <= mostInGroup && members.every((m) => kindOf(m) !== 'nested');
+}
+
+function members(schema: Schema, key: string, title: string, required: boolean): GridColumn[] {
+  if (!isGroup(schema)) return [column(schema, key, title, required)];
+  const needed = requiredKeys(schema);
+  return Object.entries(schema.properties!).map(([name, member]) => column(member, `${key}.${name}`, `${title} ${label(name)}`, required && needed.includes(name)));
+}
+
+const requiredKeys = (schema: Schema): string[] => (schema as { required?: string[] }).required ?? [];
+
+/** Columns of the list at a path; empty where there is no such list. */
+export function listColumns(root: Schema, path: string): GridColumn[] {
+  const item = itemSchema(root, path);
+  if (!item) return [];
+  if (!item.properties) return [column(item, '', 'value', true)];
+  const required = requiredKeys(item);
+  return Object.entries(item.properties).flatMap(([key, schema]) => members(schema, key, label(key), required.includes(key)));
+}
+
+const mostShown = 8;
+
+/** Columns shown at first: all of few that stand alone, else those that are needed, given somewhere, or asked for. */
+export function shownColumns(columns: GridColumn[], isGiven: (key: string) => boolean, asked: string[], hasResults: boolean): GridColumn[] {
+  const kept = (c: GridColumn): boolean => c.required || c.key === 'name' || asked.includes(c.key) || isGiven(c.key);
+  return columns.filter((c) => (!hasResults && columns.length <= mostShown && c.kind !== 'nested') || kept(c));
+}

@@ -1,0 +1,27 @@
+// Between a state that is solved and one that is not: the state nearest to the second that still is.
+
+/** Numbers by name, in SI. */
+export type Numbers = Record<string, number>;
+
+const bisections = 7;
+
+/** Names of which the two differ; null where one has a name that the other lacks. */
+export function differing(solved: Numbers, failing: Numbers): string[] | null {
+  const names = Object.keys(failing);
+  if (names.length !== Object.keys(solved).length || names.some((name) => !(name in solved))) return null;
+  return names.filter((name) => solved[name] !== failing[name]);
+}
+
+export function between(solved: Numbers, failing: Numbers, share: number): Numbers {
+  return Object.fromEntries(Object.entries(failing).map(([name, value]) => [name, solved[name]! + share * (value - solved[name]!)]));
+}
+
+/** Bisection along the straight way; `solves` is asked for one state after another. */
+export async function nearestSolved(solved: Numbers, failing: Numbers, solves: (state: Numbers) => Promise<boolean>): Promise<Numbers> {
+  let good = 0, bad = 1;
+  for (let i = 0; i < bisections; ++i) {
+    const middle = (good + bad) / 2;
+    if (await solves(between(solved, failing, middle))) good = middle; else bad = middle;
+  }
+  return between(solved, failing, good);
+}

@@ -1,0 +1,4 @@
+// The workspaces by their names.
+import type { WorkspaceId } from '../workspaces/workspace';
+
+export const workspaceNames: Record<WorkspaceId, string> = { lay: 'Lay', operation: 'Operation', storm: 'Storm', study: 'Study', runs: 'Runs', report: 'Report' };

@@ -1,0 +1,14 @@
+// Says that another program has changed the model's file, and offers both ways on.
+import { changedOutside, keepOwn } from '../state/disk';
+import { fileName, saved, takeFile } from '../state/model';
+
+export function ChangedOutside() {
+  if (!changedOutside.value) return null;
+  return (
+    <div class="changedoutside" role="alert">
+      <span>{fileName.value} has been changed by another program.{saved.value ? '' : ' Your changes here are not saved.'}</span>
+      <button type="button" class="main" title="Undo brings your own text back" onClick={() => void takeFile(fileName.value)}>Read the file</button>
+      <button type="button" onClick={keepOwn}>Keep mine</button>
+    </div>
+  );
+}

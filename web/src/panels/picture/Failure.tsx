@@ -1,0 +1,18 @@
+// Why there is no solution, with the way to the place of the fault; the last valid solution stays in grey.
+import { keyName, withoutPaths } from '../../logic/findings';
+import { leadToFault } from '../../state/lead';
+import { errors } from '../../state/model';
+import { calmLay, shownFailure } from '../../state/shown';
+
+export function Failure() {
+  const bad = shownFailure.value, error = errors.value[0];
+  if (!bad) return null;
+  return (
+    <div class="failure" role="alert" data-clear>
+      <b>{bad.what || 'No solution'}{bad.where ? `: ${bad.where}` : ''}</b>
+      <p>{withoutPaths(bad.why)}</p>
+      {error ? <button type="button" onClick={() => leadToFault(error)}>Show {error.key ? keyName(error.key) : `line ${error.line}`}</button> : null}
+      {calmLay.value !== null ? <p class="brief">The last valid solution is shown in grey.</p> : null}
+    </div>
+  );
+}

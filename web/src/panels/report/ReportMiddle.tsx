@@ -1,0 +1,45 @@
+// The report itself, as it will be: its own page in a frame.
+import { useEffect, useRef } from 'preact/hooks';
+import { prepareReport, reportSections } from '../../logic/reportPage';
+import { hasModel } from '../../state/model';
+import { busy, canMake, files, leftOut, makeReport, outdated, paper, subject } from '../../state/report';
+import { headings } from './ReportStrip';
+
+function Nothing() {
+  const stages = subject.value === 'operation';
+  return (
+    <div class="empty noreport">
+      <p>{stages ? 'The report has the stages of the operation, with the procedure sheet that goes on board.' : 'The report has the lay of the model as it is now: key results, checks with their calculation, diagrams, tables, the model file.'}</p>
+      <button type="button" class="main" disabled={busy.value || !canMake.value} onClick={() => void makeReport()}>{busy.value ? 'Making the report …' : stages ? 'Solve the stages and make the report' : 'Make the report'}</button>
+    </div>
+  );
+}
+
+function Page({ source }: { source: string }) {
+  const frame = useRef<HTMLIFrameElement>(null);
+  const prepare = (): void => {
+    const page = frame.current?.contentDocument;
+    if (!page) return;
+    headings.value = reportSections(page).map(({ heading }) => heading);
+    prepareReport(page, leftOut.value, paper.value);
+  };
+  useEffect(prepare, [leftOut.value, paper.value]);
+  useEffect(() => () => { headings.value = []; }, [source]);
+  return <iframe ref={frame} key={source} class="reportpage" title="The report" src={source} onLoad={prepare} />;
+}
+
+export function ReportMiddle() {
+  const made = files.value;
+  if (!hasModel.value && !made) return <p class="empty">No model yet.</p>;
+  return (
+    <section class={`reportmiddle${outdated.value ? ' old' : ''}`} aria-label="The report">
+      {outdated.value ? (
+        <p class="note" role="status">
+          Of the model as it was before the last change.
+          {canMake.value ? <button type="button" class="link" disabled={busy.value} onClick={() => void makeReport()}>Make it again</button> : null}
+        </p>
+      ) : null}
+      {made ? <Page source={made.show} /> : <Nothing />}
+    </section>
+  );
+}

@@ -1,0 +1,11 @@
+// A field of a strip: its label small above it.
+import type { ComponentChildren } from 'preact';
+
+export function StripField({ id, label, title, children }: { id: string; label: string; title?: string; children: ComponentChildren }) {
+  return (
+    <div class="stripfield" title={title}>
+      <label for={id}>{label}</label>
+      {children}
+    </div>
+  );
+}

@@ -1,0 +1,75 @@
+import { describe, expect, it } from 'vitest';
+import type { Field } from '../src/api/types';
+import { tree } from '../src/logic/formTree';
+import { absentObjects, findNode, objectOfKey, objectTitle, partsWithin, pathsAbove, tellingValue, topObjects } from '../src/logic/modelTree';
+import { lineOfKey } from '../src/logic/yamlPlace';
+
+const field = (path: string, kind: string, value: unknown = null, more: Partial<Field> = {}): Field => ({ path, kind, value, given: true, si: null, unit: '', ...more }) as Field;
+
+const fields = [
+  field('title', 'text', 'Sixteen inch'),
+  field('environment', 'map'), field('environment.water_depth', 'quantity', '89 m'),
+  field('environment.current', 'list', null, { count: 1 }), field('environment.current[0]', 'map'), field('environment.current[0].speed', 'quantity', '1 m/s'),
+  field('pipe', 'map'), field('pipe.steel', 'map'),
+  field('pipe.steel.outside_diameter', 'quantity', '406.4 mm', { si: 0.4064 }), field('pipe.steel.wall_thickness', 'quantity', '11.1 mm'),
+  field('supports', 'map'), field('supports.stinger', 'map'), field('supports.stinger.boxes', 'list', null, { count: 2 }),
+  field('supports.stinger.boxes[0]', 'map'), field('supports.stinger.boxes[0].name', 'text', 'first'), field('supports.stinger.boxes[0].x', 'quantity', '1 m'),
+  field('supports.stinger.boxes[1]', 'map'), field('supports.stinger.boxes[1].x', 'quantity', '5 m'),
+  field('moorings', 'map', null, { given: false }), field('moorings.lines', 'list', null, { given: false }),
+  field('report', 'map', null, { given: false }), field('report.client', 'text', null, { given: false }),
+];
+const sections = tree(fields), values = new Map(fields.map((f) => [f.path, f]));
+const node = (path: string) => findNode(sections, path)!;
+
+describe('the tree of objects', () => {
+  it('has what the model has, in the order of an installation, and the document', () => {
+    expect(topObjects(sections).map((n) => objectTitle(n))).toEqual(['Site', 'Pipe', 'Supports', 'Document']);
+  });
+  it('offers what the model lacks apart', () => {
+    expect(absentObjects(sections).map((n) => n.path)).toEqual(['moorings']);
+  });
+  it('goes down to items of lists, but not to single values', () => {
+    expect(partsWithin(node('supports.stinger.boxes')).map(objectTitle)).toEqual(['first', '2']);
+    expect(partsWithin(node('supports.stinger.boxes[0]'))).toEqual([]);
+  });
+  it('says the value that tells most of each', () => {
+    expect(['environment', 'environment.current', 'pipe', 'supports', 'supports.stinger'].map((path) => tellingValue(node(path), values)))
+      .toEqual(['89 m', '1 row', '16 in × 11.1 mm', '2 boxes', '2']);
+  });
+  it('finds the object that shows a key', () => {
+    expect(objectOfKey(sections, 'supports.stinger.boxes[1].x')).toBe('supports.stinger.boxes[1]');
+    expect(objectOfKey(sections, 'environment.water_depth')).toBe('environment');
+    expect(objectOfKey(sections, 'environment.seabed.slope')).toBe('environment');
+    expect(objectOfKey(sections, 'title')).toBe('report');
+    expect(objectOfKey(sections, 'nothing.like_that')).toBe('');
+  });
+  it('names the paths above an object', () => {
+    expect(pathsAbove('supports.stinger.boxes[1]')).toEqual(['supports', 'supports.stinger', 'supports.stinger.boxes']);
+  });
+});
+
+describe('the line of a key', () => {
+  const text = `# a model
+overbend: 1
+environment:
+  water_depth: 89 m
+  current:
+    - {depth: 0 m, speed: 1 m/s}
+    - depth: 20 m
+      speed: 2 m/s
+
+supports:
+  ramp:
+    boxes:
+      - {x: 1 m}
+  stinger:
+    boxes:
+      - {x: 1 m}
+      - {x: 5 m}
+tensioner: {x: 0 m, tension: 250 kN}
+`;
+  it.each([
+    ['environment', 3], ['environment.water_depth', 4], ['environment.current[0]', 6], ['environment.current[1].speed', 8], ['supports.stinger', 14],
+    ['supports.stinger.boxes[1]', 17], ['supports.stinger.boxes[1].x', 17], ['tensioner.tension', 18], ['environment.waves', 3], ['nothing', 0],
+  ])('of %s is %i', (path, line) => { expect(lineOfKey(text, path)).toBe(line); });
+});
