@@ -39,7 +39,7 @@ function History({ index, name }: { index: number; name: string }) {
   const [series, setSeries] = useState<ReadonlyMap<string, Series>>(new Map());
   useEffect(() => {
     let gone = false;
-    const having = list.filter((run) => parts.get(run.id)?.columns.some((c) => c.name === name));
+    const having = list.filter((run) => (run.has_results || run.state === 'running') && parts.get(run.id)?.columns.some((c) => c.name === name));
     void Promise.all(having.map((run) => fetchSeries(run.id, [name], null, null, pixels).then((answer) => [run.id, answer[name]] as const).catch(() => [run.id, undefined] as const)))
       .then((all) => { if (!gone) setSeries(new Map(all.filter((pair): pair is readonly [string, Series] => pair[1] !== undefined))); });
     return () => { gone = true; };
