@@ -12,11 +12,17 @@ import { renaming } from './RunRow';
 /** Asked twice: files are gone afterwards. */
 function Delete({ list }: { list: Run[] }) {
   const [sure, setSure] = useState(''), ids = list.map((run) => run.id).join(' ');
+  // no longer compared, so that nothing is asked of a run that goes
+  const drop = (): void => {
+    setSure('');
+    checked.value = [];
+    void deleteRuns(list.map((run) => run.id));
+  };
   if (sure !== ids) return <button type="button" onClick={() => setSure(ids)}>Delete…</button>;
   return (
     <span class="sure" role="alertdialog" aria-label="Delete">
       {list.length === 1 ? 'Delete the run with all of its files?' : `Delete ${list.length} runs with all of their files?`}
-      <button type="button" class="danger" onClick={() => { setSure(''); void deleteRuns(list.map((run) => run.id)); }}>Delete</button>
+      <button type="button" class="danger" onClick={drop}>Delete</button>
       <button type="button" onClick={() => setSure('')}>Keep</button>
     </span>
   );
