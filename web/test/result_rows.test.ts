@@ -15,10 +15,11 @@ describe('key results as rows', () => {
   const rows = resultRows(lay(2.5e5), storm as never, lay(2e5));
   const row = (name: string) => rows.find((r) => r.name === name);
 
-  it('have the largest of a storm, but the least of a clearance', () => {
+  it('have the largest of a storm, but the least of a clearance and of the tension at the bottom', () => {
     expect(row('top tension')).toMatchObject({ static: 2.5e5, storm: 3e5, compared: 2e5 });
     expect(row('overbend von Mises')!.storm).toBe(4e8);
     expect(row('tip clearance')!.storm).toBe(0.06);
+    expect(row('bottom tension')!.storm).toBe(1);
   });
   it('leave out what the model does not have', () => {
     expect(row('tower von Mises')).toBeUndefined();

@@ -7,7 +7,7 @@ export interface ResultRow {
   /** SI unit; "%" of strains. */
   unit: string;
   static: number | null;
-  /** The unfavourable end over the storm: the least of clearances, the largest of everything else. */
+  /** The unfavourable end over the storm: the least of clearances and of the tension at the bottom, the largest of everything else. */
   storm: number | null;
   compared: number | null;
   /** Where a value can be sought: its path in summary.json. */
@@ -33,7 +33,8 @@ function regionQuantities(name: string, region: (k: KeyResults) => Region | null
 
 const ofPipe: Quantity<KeyResults>[] = [
   { name: 'top tension', unit: 'N', of: (k) => k.top_tension, storm: (d) => most(d.top_tension), result: 'static.top_tension' },
-  { name: 'bottom tension', unit: 'N', of: (k) => k.bottom_tension, storm: (d) => most(d.bottom_tension), result: 'static.bottom_tension' },
+  { name: 'bottom tension', unit: 'N', of: (k) => k.bottom_tension, storm: (d) => least(d.bottom_tension), result: 'static.bottom_tension',
+    title: 'Over a storm the least: a low tension bends the sagbend and may compress the pipe.' },
   ...regionQuantities('overbend', (k) => k.overbend, (d) => d.overbend),
   ...regionQuantities('tower', (k) => k.tower, (d) => d.tower),
   ...regionQuantities('sagbend', (k) => k.sagbend, (d) => d.sagbend),
