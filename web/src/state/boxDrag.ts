@@ -3,7 +3,6 @@ import { batch, signal } from '@preact/signals';
 import { liveChanges, type LiveBox, type LiveValues } from '../logic/live';
 import { inUnitOf } from '../logic/units';
 import { boxHeight, stingerRadius } from '../logic/variables';
-import { pathOfName } from './findings';
 import { applyLive, base, changes, setLive, values } from './live';
 import { byPath, setKeys } from './model';
 import { sayError } from './notices';
@@ -15,10 +14,8 @@ export interface BoxDrag { name: string; x: number; z: number }
 export const boxDrag = signal<BoxDrag | null>(null);
 
 /** Null where the box cannot be moved: generated in a row, or of a run or stage. */
-export function movableBox(name: string): LiveBox | null {
-  const path = pathOfName(name);
-  return ofRun.value || shownStage.value ? null : base.value.boxes.find((box) => box.path === path) ?? null;
-}
+export const movableBox = (name: string): LiveBox | null =>
+  (ofRun.value || shownStage.value ? null : base.value.boxes.find((box) => box.name === name) ?? null);
 
 const keys = (box: LiveBox): [x: string, z: string] => [`${box.path}.x`, `${box.path}.z`];
 
