@@ -150,7 +150,7 @@ test('the menu of an object opens at the pointer and by keyboard, duplicates, an
   await showTab(page, 'diagrams');
 });
 
-/** Presses a key on a separator; how much wider or higher the part beside it is then. */
+/** Presses a key on a separator; how much wider or higher its part is then. */
 async function change(handle: string, part: string, measure: 'width' | 'height', key: string): Promise<number> {
   const size = async (): Promise<number> => (await page.locator(part).boundingBox())![measure];
   const before = await size();

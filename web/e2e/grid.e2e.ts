@@ -28,7 +28,7 @@ beforeAll(async () => {
 }, 60_000);
 afterAll(async () => bench?.stop());
 
-test('boxes of ramp and stinger stand in one table beside what the pipe does on them', async () => {
+test('boxes of ramp and stinger stand in one table with what the pipe does on them', async () => {
   expect(await page.locator('[role=grid] tbody tr').count()).toBe(13);
   await until(async () => /\d/.test(await page.locator('[role=grid] td.result').nth(1).innerText()));
   await bench.shot(page, 'grid-boxes');

@@ -68,7 +68,7 @@ test('the map of the same cases is saved as drawing and picture', async () => {
   await page.click('.studyhead >> text=table');
 });
 
-test('the picture stands beside the table on demand', async () => {
+test('the picture is shown next to the table on demand', async () => {
   await page.click('.studyhead >> text=Picture');
   await expect.poll(() => page.locator('.centre').isVisible()).toBe(true);
   await page.click('.studyhead >> text=Picture');

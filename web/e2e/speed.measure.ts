@@ -1,5 +1,5 @@
 // How fast the picture follows a drag, how soon it is there after opening, how much memory a thousand drags take, and how
-// large the scripts are. Printed beside what is aimed at, with modest least values: a machine without graphics card
+// large the scripts are. Printed with what is aimed at, with modest least values: a machine without graphics card
 // draws by the processor, and others may use it at the same time.
 import { readdirSync, readFileSync } from 'node:fs';
 import { loadavg } from 'node:os';

@@ -30,7 +30,7 @@ test('the page answers after each move of the pointer over everything, in every 
   await solved(page);
   await page.selectOption('[aria-label="Diagram 1"]', 'von_mises');
   await page.selectOption('[aria-label="Diagram 2"]', 'reactions');
-  let whole = true;  // what is beside the tabs is the same in all
+  let whole = true;  // what surrounds the tabs is the same in all
   for (const workspace of workspaces) {
     await goTo(page, workspace);
     const tabs = (await page.locator('.docktabs [role=tab]').evaluateAll((all) => all.map((tab) => tab.id.replace('docktab-', ''))));

@@ -1,4 +1,4 @@
-// Results beside the inputs of a list: by the path of the list, from the static answer and from the run that is shown.
+// Results that follow the inputs in the table of a list: by the path of the list, from the static answer and from the run that is shown.
 import type { Lay, OperationStage, RunSummary } from '../api/types';
 import type { Support, SupportSummary, MooringLine, LineAtRest } from '../api/results';
 import { pageUnits, shownUnit } from './show';
