@@ -129,9 +129,14 @@ test('several runs are deleted at once, when that is said twice', async () => {
   expect(await page.locator('.sure').innerText()).toMatch(/Delete 2 runs/);
   await page.click('.sure >> text=Keep');
   expect((await list()).length).toBe(4);
+  // what is still read of a run that is shown is waited for
+  await page.route(`**/api/runs/${second}/series*`, async (slow) => { await new Promise((next) => { setTimeout(next, 1500); }); await slow.continue(); });
+  await row(still).locator('td.name').click();
+  await Promise.all([page.waitForRequest(`**/api/runs/${second}/series*`), row(second).locator('td.name').click()]);
+  for (const run of all) if (run.id !== first && run.id !== still && run.id !== second) await row(run.id).locator('input[type=checkbox]').check();
   await page.click('.runacts >> text=Delete…');
   await page.click('.sure .danger');
-  await expect.poll(async () => (await list()).length).toBe(2);
+  await expect.poll(async () => (await list()).length, { timeout: 10_000 }).toBe(2);
   await expect.poll(() => page.locator('table.runlist tbody tr').count()).toBe(2);
 });
 

@@ -44,7 +44,19 @@ export async function ask<T>(method: string, path: string, body?: unknown): Prom
   throw new ApiError(words, answer.status, error?.hint ?? (answer.status === 401 ? 'Open the address that the program printed at its start.' : ''), data);
 }
 
-export const get = <T>(path: string): Promise<T> => ask<T>('GET', path);
+const reads = new Set<Promise<unknown>>();
+
+export function get<T>(path: string): Promise<T> {
+  const answer = ask<T>('GET', path);
+  reads.add(answer);
+  const done = (): void => { reads.delete(answer); };
+  answer.then(done, done);
+  return answer;
+}
+
+/** Waits for every read on its way: what it reads can be deleted afterwards. */
+export const finishReads = async (): Promise<void> => { await Promise.allSettled([...reads]); };
+
 export const post = <T>(path: string, body: unknown = {}): Promise<T> => ask<T>('POST', path, body);
 export const put = <T>(path: string, body: unknown): Promise<T> => ask<T>('PUT', path, body);
 

@@ -1,6 +1,6 @@
 // Runs: the list, the one that is looked at, and what diagrams and animation need of it.
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
-import { address, get, post } from '../api/client';
+import { address, finishReads, get, post } from '../api/client';
 import type { Check, Column, Envelopes, Impact, Lay, Run, RunSummary, Scene, Study } from '../api/types';
 import { isStudy, listedNames, newerList } from '../logic/runs';
 import { opened } from './model';
@@ -56,6 +56,8 @@ export function annotate(id: string, words: { name?: string; note?: string }): P
 }
 
 export async function deleteRuns(ids: readonly string[]): Promise<void> {
+  if (selected.value && ids.some((id) => id === selected.value?.id || id === selected.value?.parent)) select(null);
+  await finishReads(); // of the run that was shown
   for (const id of ids) {
     try { await post(`runs/${id}/delete`); forget(id); } catch (error) { sayError(error); return; }
   }
