@@ -28,6 +28,7 @@ async function load(id: string, list: Column[], drawn: number[] | null): Promise
   const mine = ++count;
   const names = list.map((c) => c.name).filter((name) => told.test(name));
   const whole = names.length ? await fetchSeries(id, names, 0, null, 50) : {};
+  if (mine !== count) return;
   const found: Record<string, Extremes> = {};
   for (const [name, s] of Object.entries(whole)) if (s.t.length) found[name] = { min: Math.min(...s.min), max: Math.max(...s.max) };
   let offsets: OffsetsInTime | null = null;

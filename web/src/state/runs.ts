@@ -109,7 +109,8 @@ async function load(id: string): Promise<void> {
   try {
     if (run.kind === 'dynamic' && (run.has_results || (run.state === 'running' && run.time !== undefined))) {
       const list = await get<Column[]>(`runs/${id}/columns`);
-      if (current()) columns.value = list;
+      if (!current()) return; // no more is read of a run that is no longer shown
+      columns.value = list;
     }
     if (!run.has_results) return;
     if (run.kind === 'study') return;
