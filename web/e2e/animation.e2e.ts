@@ -34,8 +34,8 @@ test('impacts light up, and boxes have the colour of their reaction', async () =
   const hardest = impacts.find((i) => i.time > 0 && i.time < 19)!;
   await page.locator('[aria-label=Time]').evaluate((el, t) => { const input = el as HTMLInputElement; input.value = String(t); input.dispatchEvent(new Event('input', { bubbles: true })); }, Math.ceil((hardest.time + 0.05) * 20) / 20);
   await page.waitForFunction(() => Number((document.querySelector('.legend') as HTMLElement).dataset.flashes) > 0);
-  expect(await page.evaluate(() => (window as unknown as { __view: { stage: { flashGroup: { children: unknown[] } } } }).__view.stage.flashGroup.children.length)).toBeGreaterThan(0);
-  expect(await page.locator('.rollerkey').innerText()).toMatch(/box, to [\d.]+ kN/);
+  await expect.poll(() => page.evaluate(() => (window as unknown as { __view: { stage: { flashGroup: { children: unknown[] } } } }).__view.stage.flashGroup.children.length)).toBeGreaterThan(0);
+  await expect.poll(() => page.locator('.rollerkey').innerText()).toMatch(/box, to [\d.]+ kN/);
 });
 
 test('what frames do not hold cannot be chosen while they are shown', async () => {

@@ -26,10 +26,10 @@ test('while a value is dragged, and after it is applied', async () => {
   expect(near[1] - near[0]).toBeLessThan(0.5 * (whole[1] - whole[0]));
   await tryValue(page, 'tension', 300);
   await page.waitForTimeout(600);
-  expect(await ends(0)).toEqual(near);
+  await expect.poll(() => ends(0)).toEqual(near);
   await page.click('text=Apply to model');
   await page.waitForTimeout(600);
-  expect(await ends(0)).toEqual(near);
+  await expect.poll(() => ends(0)).toEqual(near);
   await page.locator('.slot .u-over').first().dblclick();
   await page.waitForTimeout(300);
   const again = await ends(0);
@@ -45,11 +45,11 @@ test('of a run in time, also when more of it arrives', async () => {
   const whole = await ends(1), near = await zoom(1);
   expect(near[1] - near[0]).toBeLessThan(0.5 * (whole[1] - whole[0]));
   await page.waitForTimeout(1500); // the stretch is fetched again, finer
-  expect(await ends(1)).toEqual(near);
+  await expect.poll(() => ends(1)).toEqual(near);
   expect((await bench.api(`runs/${id}/annotate`, { method: 'POST', body: JSON.stringify({ name: 'looked at' }) })).status).toBe(200);
   await page.locator('.right h3', { hasText: 'looked at' }).waitFor({ timeout: 20_000 });
   await page.waitForTimeout(800);
-  expect(await ends(1)).toEqual(near);
+  await expect.poll(() => ends(1)).toEqual(near);
 });
 
 test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

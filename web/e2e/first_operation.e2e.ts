@@ -70,7 +70,7 @@ test('without a solution of the lay none is made up', async () => {
   await page.click('#workspace-operation');
   await page.click('.offers >> text=Abandonment');
   await expect.poll(() => page.locator('.notices').innerText()).toMatch(/No operation was added/);
-  expect(await page.locator('table.stages').count()).toBe(0);
+  await expect.poll(() => page.locator('table.stages').count()).toBe(0);
 });
 
 test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

@@ -23,26 +23,26 @@ async function chosen(): Promise<string> {
 test('an object that is selected in the tree shows its properties, and nothing else is selected', async () => {
   for (const [path, field] of [['tensioner', 'tensioner.tension'], ['pipe', 'pipe.steel.outside_diameter'], ['environment.waves', 'environment.waves.hs']] as const) {
     await selectObject(page, path);
-    expect(await chosen()).toBe(path);
-    expect(await page.locator(`[id="f-${field}"]`).count()).toBe(1);
+    await expect.poll(() => chosen()).toBe(path);
+    await expect.poll(() => page.locator(`[id="f-${field}"]`).count()).toBe(1);
   }
-  expect(await page.locator('.properties').getAttribute('aria-label')).toBe('Properties of Sea');
+  await expect.poll(() => page.locator('.properties').getAttribute('aria-label')).toBe('Properties of Sea');
 });
 
 test('workspace and object are in the address: reload and back return there', async () => {
   await goTo(page, 'storm');
   await selectObject(page, 'supports.stinger');
-  expect(await hash()).toBe('#/storm/supports.stinger');
+  await expect.poll(() => hash()).toBe('#/storm/supports.stinger');
   await page.reload();
   await solved(page);
   await page.waitForSelector('main[data-workspace=storm]');
-  expect(await chosen()).toBe('supports.stinger');
+  await expect.poll(() => chosen()).toBe('supports.stinger');
   await goTo(page, 'study');
   await selectObject(page, 'vessel');
-  expect(await hash()).toBe('#/study/vessel');
+  await expect.poll(() => hash()).toBe('#/study/vessel');
   await page.goBack();
   await page.waitForSelector('main[data-workspace=storm]');
-  expect(await chosen()).toBe('supports.stinger');
+  await expect.poll(() => chosen()).toBe('supports.stinger');
   await page.goForward();
   await page.waitForSelector('main[data-workspace=study]');
   await page.goBack();
@@ -62,7 +62,7 @@ test('workspaces are chosen with arrow keys', async () => {
   await page.focus('#workspace-lay');
   await page.keyboard.press('ArrowRight');
   await page.waitForSelector('main[data-workspace=operation]');
-  expect(await page.evaluate(() => document.activeElement!.id)).toBe('workspace-operation');
+  await expect.poll(() => page.evaluate(() => document.activeElement!.id)).toBe('workspace-operation');
   await page.keyboard.press('ArrowLeft');
   await page.keyboard.press('ArrowLeft');
   await page.waitForSelector('main[data-workspace=report]');
@@ -76,7 +76,7 @@ test('a finding marks its object in the tree, and leads to it and to its place',
   await page.waitForSelector('[role=treeitem][data-object="supports"] .mark.warn');
   await page.locator('.findings button', { hasText: 'stinger 8' }).click();
   await page.waitForSelector('.properties[data-object="supports.stinger.boxes[7]"]');
-  expect(await chosen()).toBe('supports.stinger.boxes[7]');
+  await expect.poll(() => chosen()).toBe('supports.stinger.boxes[7]');
   await page.waitForSelector('[role=treeitem][data-object="supports.stinger.boxes[7]"] .mark.warn');
   await expect.poll(() => page.locator('.slot .read').first().innerText()).toMatch(/^stinger 8,/);
 });
@@ -90,21 +90,21 @@ test('the tree is walked, unfolded and left for its fields by keyboard', async (
   const second = await chosen();
   expect(second).not.toBe(first);
   await page.keyboard.press('ArrowUp');
-  expect(await chosen()).toBe(first);
-  expect(await page.evaluate(() => (document.activeElement as HTMLElement).dataset.object)).toBe(first);
-  expect(await page.locator('[role=treeitem][tabindex="0"]').count()).toBe(1); // the tab key enters the tree at one place
+  await expect.poll(() => chosen()).toBe(first);
+  await expect.poll(() => page.evaluate(() => (document.activeElement as HTMLElement).dataset.object)).toBe(first);
+  await expect.poll(() => page.locator('[role=treeitem][tabindex="0"]').count()).toBe(1); // the tab key enters the tree at one place
 
   await selectObject(page, 'supports');
   await item('supports').focus();
   await page.keyboard.press('ArrowLeft');
   await expect.poll(() => item('supports').getAttribute('aria-expanded')).toBe('false');
-  expect(await item('supports.stinger').count()).toBe(0);
+  await expect.poll(() => item('supports.stinger').count()).toBe(0);
   await page.keyboard.press('ArrowRight');
   await expect.poll(() => item('supports').getAttribute('aria-expanded')).toBe('true');
   await page.keyboard.press('ArrowRight');
   const within = await chosen();
   expect(within).toMatch(/^supports\.\w+$/);
-  expect(await item(within).getAttribute('aria-level')).toBe('2');
+  await expect.poll(() => item(within).getAttribute('aria-level')).toBe('2');
   await page.keyboard.press('ArrowLeft'); // folds it where it is unfolded, else leads upwards
   await page.keyboard.press('ArrowLeft');
   await expect.poll(chosen).toBe('supports');
@@ -112,7 +112,7 @@ test('the tree is walked, unfolded and left for its fields by keyboard', async (
   await selectObject(page, 'tensioner');
   await item('tensioner').focus();
   await page.keyboard.press('Enter');
-  expect(await page.evaluate(() => document.activeElement!.closest('.properties') !== null && /^(INPUT|SELECT)$/.test(document.activeElement!.tagName))).toBe(true);
+  await expect.poll(() => page.evaluate(() => document.activeElement!.closest('.properties') !== null && /^(INPUT|SELECT)$/.test(document.activeElement!.tagName))).toBe(true);
 });
 
 test('an object is deleted by keyboard, and undone', async () => {
@@ -122,7 +122,7 @@ test('an object is deleted by keyboard, and undone', async () => {
   await item('supports.stinger.boxes[2]').focus();
   await page.keyboard.press('Delete');
   await expect.poll(() => page.locator('[role=treeitem][data-object^="supports.stinger.boxes["]').count()).toBe(boxes - 1);
-  expect(await text()).not.toBe(before);
+  await expect.poll(() => text()).not.toBe(before);
   await page.keyboard.press('Control+z');
   await expect.poll(text).toBe(before);
   await expect.poll(() => page.locator('[role=treeitem][data-object^="supports.stinger.boxes["]').count()).toBe(boxes);
@@ -141,8 +141,8 @@ test('the menu of an object opens at the pointer and by keyboard, duplicates, an
   await page.keyboard.press('Shift+F10');
   await page.waitForSelector('[role=menu]');
   await page.keyboard.press('Escape');
-  expect(await page.locator('[role=menu]').count()).toBe(0);
-  expect(await page.evaluate(() => (document.activeElement as HTMLElement).dataset.object)).toBe('tensioner');
+  await expect.poll(() => page.locator('[role=menu]').count()).toBe(0);
+  await expect.poll(() => page.evaluate(() => (document.activeElement as HTMLElement).dataset.object)).toBe('tensioner');
   await page.keyboard.press('Shift+F10');
   await page.click('[role=menuitem] >> text=Show in YAML');
   await page.waitForSelector('#docktab-yaml[aria-selected=true]');
@@ -167,14 +167,14 @@ test('the dock is made higher and the columns wider by keyboard, which is kept, 
     expect(await change(handle, part, measure, more)).toBeCloseTo(16, -1);
     expect(await change(handle, part, measure, more)).toBe(16);
     expect(await change(handle, part, measure, less)).toBe(-16);
-    expect(await page.locator(handle).getAttribute('role')).toBe('separator');
+    await expect.poll(() => page.locator(handle).getAttribute('role')).toBe('separator');
     expect(Number(await page.locator(handle).getAttribute('aria-valuenow'))).toBeCloseTo((await page.locator(part).boundingBox())![measure], -1);
   }
   const sizes = (): Promise<number[]> => page.evaluate(() => ['main > .left', 'main > .right', '.dock'].map((part) => { const r = document.querySelector(part)!.getBoundingClientRect(); return part === '.dock' ? r.height : r.width; }));
   const before = await sizes();
   await page.reload();
   await solved(page);
-  expect(await sizes()).toEqual(before);
+  await expect.poll(() => sizes()).toEqual(before);
   for (const handle of ['.dockhandle', '.handle[data-side=left]', '.handle[data-side=right]']) await page.locator(handle).press('Home');
   const usual = await sizes();
   expect(usual.every((size, i) => Math.abs(size - before[i]! + 16) <= 1)).toBe(true);
@@ -183,36 +183,36 @@ test('the dock is made higher and the columns wider by keyboard, which is kept, 
 test('tabs of the dock are chosen with arrow keys, and either part fills the middle', async () => {
   await page.focus('#docktab-diagrams');
   await page.keyboard.press('ArrowRight');
-  expect(await page.locator('.docktabs [aria-selected=true]').count()).toBe(1);
-  expect(await page.evaluate(() => document.activeElement!.getAttribute('aria-selected'))).toBe('true');
+  await expect.poll(() => page.locator('.docktabs [aria-selected=true]').count()).toBe(1);
+  await expect.poll(() => page.evaluate(() => document.activeElement!.getAttribute('aria-selected'))).toBe('true');
   await page.keyboard.press('ArrowLeft');
-  expect(await page.evaluate(() => document.activeElement!.id)).toBe('docktab-diagrams');
+  await expect.poll(() => page.evaluate(() => document.activeElement!.id)).toBe('docktab-diagrams');
   await page.click('.docktabs button.fill');
-  expect(await page.locator('.centre').isVisible()).toBe(false);
+  await expect.poll(() => page.locator('.centre').isVisible()).toBe(false);
   await page.click('.docktabs button.fill');
-  expect(await page.locator('.centre').isVisible()).toBe(true);
-  expect(await page.locator('.dock').isVisible()).toBe(true);
+  await expect.poll(() => page.locator('.centre').isVisible()).toBe(true);
+  await expect.poll(() => page.locator('.dock').isVisible()).toBe(true);
 });
 
 test('at 1024 px the columns are drawers, which Escape closes', async () => {
   await page.setViewportSize({ width: 1024, height: 768 });
   for (const [name, part] of [['Model', '.left'], ['Verdict', '.right']] as const) {
     const button = page.locator('.drawerbutton', { hasText: name });
-    expect(await page.locator(`main > ${part}`).isVisible()).toBe(false);
+    await expect.poll(() => page.locator(`main > ${part}`).isVisible()).toBe(false);
     await button.focus();
     await page.keyboard.press('Enter');
-    expect(await page.locator(`main > ${part}`).isVisible()).toBe(true);
-    expect(await button.getAttribute('aria-expanded')).toBe('true');
+    await expect.poll(() => page.locator(`main > ${part}`).isVisible()).toBe(true);
+    await expect.poll(() => button.getAttribute('aria-expanded')).toBe('true');
     await page.keyboard.press('Escape');
-    expect(await page.locator(`main > ${part}`).isVisible()).toBe(false);
-    expect(await button.getAttribute('aria-expanded')).toBe('false');
+    await expect.poll(() => page.locator(`main > ${part}`).isVisible()).toBe(false);
+    await expect.poll(() => button.getAttribute('aria-expanded')).toBe('false');
   }
   await page.click('.drawerbutton >> text=Verdict');
-  expect(await reading(page, 'top tension')).toBeGreaterThan(10);
+  await expect.poll(() => reading(page, 'top tension')).toBeGreaterThan(10);
   await page.locator('.findings button', { hasText: 'stinger 8' }).click(); // its object is in the other drawer
   await page.keyboard.press('Escape');
   await page.setViewportSize({ width: 1440, height: 900 });
-  expect(await page.locator('main > .left').isVisible() && await page.locator('main > .right').isVisible()).toBe(true);
+  for (const part of ['.left', '.right']) await expect.poll(() => page.locator(`main > ${part}`).isVisible()).toBe(true);
 });
 
 test('no text is fainter than 4.5 : 1, in any workspace or tab, light and dark', async () => {

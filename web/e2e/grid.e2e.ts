@@ -29,7 +29,7 @@ beforeAll(async () => {
 afterAll(async () => bench?.stop());
 
 test('boxes of ramp and stinger stand in one table with what the pipe does on them', async () => {
-  expect(await page.locator('[role=grid] tbody tr').count()).toBe(13);
+  await expect.poll(() => page.locator('[role=grid] tbody tr').count()).toBe(13);
   await until(async () => /\d/.test(await page.locator('[role=grid] td.result').nth(1).innerText()));
   await bench.shot(page, 'grid-boxes');
 }, 60_000);
@@ -49,8 +49,8 @@ test('a cell that cannot be read keeps its text with the reason, and the model i
   await page.keyboard.type('abc');
   await page.keyboard.press('Enter');
   await page.locator('td.bad').waitFor();
-  expect(await cell('supports.stinger.boxes[6].z').innerText()).toContain('abc');
-  expect(await valueOf('supports.stinger.boxes[6].z')).toBe('-13.163 m');
+  await expect.poll(() => cell('supports.stinger.boxes[6].z').innerText()).toContain('abc');
+  await expect.poll(() => valueOf('supports.stinger.boxes[6].z')).toBe('-13.163 m');
   await bench.shot(page, 'grid-bad');
   await cell('supports.stinger.boxes[6].z').click();
   await page.keyboard.press('Escape');
@@ -62,7 +62,7 @@ test('what the model says of a box stands in its cell', async () => {
   await page.keyboard.type('8');
   await page.keyboard.press('Tab');
   await page.locator('td.has-error .said').first().waitFor();
-  expect(await cell('supports.stinger.boxes[2].x').innerText()).toContain('increases from box to box');
+  await expect.poll(() => cell('supports.stinger.boxes[2].x').innerText()).toContain('increases from box to box');
   await bench.shot(page, 'grid-order');
   await page.keyboard.press('Control+z');
   await until(async () => (await page.locator('td.has-error').count()) === 0);
@@ -72,15 +72,15 @@ test('rows that are missing are added, and cells that cannot be read stay to be 
   await cell('supports.stinger.boxes[7].name').click();
   await paste('stinger 8\t31,224\t-14,980\nstinger 9\t34,8\t-16,9\nstinger 10\t38,3\tsee note');
   await until(async () => (await fieldsIn()).get('supports.stinger.boxes')?.count === 10);
-  expect(await valueOf('supports.stinger.boxes[8].length')).toMatch(/^4(\.000)? m$/);
+  await expect.poll(() => valueOf('supports.stinger.boxes[8].length')).toMatch(/^4(\.000)? m$/);
   await page.locator('td.bad').waitFor();
-  expect(await cell('supports.stinger.boxes[9].z').innerText()).toContain('see note');
+  await expect.poll(() => cell('supports.stinger.boxes[9].z').innerText()).toContain('see note');
   await bench.shot(page, 'grid-added');
   await cell('supports.stinger.boxes[9].z').click();
   await page.keyboard.type('-19');
   await page.keyboard.press('Enter');
   await until(async () => (await valueOf('supports.stinger.boxes[9].z')) === '-19 m');
-  expect(await page.locator('td.bad').count()).toBe(0);
+  await expect.poll(() => page.locator('td.bad').count()).toBe(0);
 }, 60_000);
 
 test('rows are duplicated, moved and removed', async () => {
@@ -99,7 +99,7 @@ test('a stinger is generated from radius, number and spacing, and written out as
   await page.getByRole('button', { name: 'Generate stinger' }).click();
   await page.locator('.generate').waitFor();
   await page.locator('.generate input').first().fill('100 m');
-  expect(await page.locator('.generate tbody tr').count()).toBeGreaterThan(5);
+  await expect.poll(() => page.locator('.generate tbody tr').count()).toBeGreaterThan(5);
   await bench.shot(page, 'grid-generate');
   await page.getByRole('button', { name: 'Write as a row' }).click();
   await until(async () => (await valueOf('supports.stinger.radius')) === '100 m');

@@ -21,7 +21,7 @@ for (const [name, size] of Object.entries({ wide: { width: 1600, height: 900 }, 
       await showTab(page, 'ground');
       const laid = page.locator('section[aria-label="Laid pipe"]');
       await expect.poll(() => laid.locator('tbody tr').count()).toBe(3);
-      expect(await laid.locator('caption').innerText()).toBe('3 free spans');
+      await expect.poll(() => laid.locator('caption').innerText()).toBe('3 free spans');
       expect(Number.parseFloat(await laid.locator('tbody tr').first().locator('td').nth(2).innerText())).toBeGreaterThan(40);
       await laid.scrollIntoViewIfNeeded();
       await bench.shot(page, `uneven-${name}`);
@@ -32,8 +32,8 @@ for (const [name, size] of Object.entries({ wide: { width: 1600, height: 900 }, 
 test('the route says which radius friction holds', async () => {
   await opened('curved_route.yaml', async (page, bench) => {
     await showTab(page, 'ground');
-    expect(await reading(page, 'radius of the route')).toBe(1500);
-    expect(await reading(page, 'friction holds')).toBeCloseTo(1116, -1);
+    await expect.poll(() => reading(page, 'radius of the route')).toBe(1500);
+    await expect.poll(() => reading(page, 'friction holds')).toBeCloseTo(1116, -1);
     await page.locator('section[aria-label="Lay route"]').scrollIntoViewIfNeeded();
     await bench.shot(page, 'route');
   });
@@ -43,8 +43,8 @@ test('a stinger on a hinge says its angle and can be sought', async () => {
   await opened('floating_stinger.yaml', async (page, bench) => {
     await showTab(page, 'stinger');
     expect(Math.abs(await reading(page, 'stinger angle'))).toBeLessThan(15);
-    expect(await reading(page, 'hinge force')).toBeGreaterThan(0);
-    expect(await page.locator('.kv', { hasText: 'stinger angle' }).locator('.make').count()).toBe(1);
+    await expect.poll(() => reading(page, 'hinge force')).toBeGreaterThan(0);
+    await expect.poll(() => page.locator('.kv', { hasText: 'stinger angle' }).locator('.make').count()).toBe(1);
     await bench.shot(page, 'stinger');
   });
 });

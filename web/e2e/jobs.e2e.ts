@@ -77,8 +77,8 @@ test('a stinger from a spreadsheet takes three actions, and picture and results 
   await user.click('.gridstrip button.main');
   await expect.poll(async () => (await model()).fields.find((f) => f.path === 'supports.stinger.boxes')?.count).toBe(9);
   expect(user.actions).toBeLessThanOrEqual(3);
-  expect(await value('supports.stinger.boxes[8].x')).toBe('35.600 m');
-  expect(await value('supports.stinger.boxes[8].name')).toBe('S9');
+  await expect.poll(() => value('supports.stinger.boxes[8].x')).toBe('35.600 m');
+  await expect.poll(() => value('supports.stinger.boxes[8].name')).toBe('S9');
   const row = page.locator('[role=grid] tr', { has: page.locator('td[data-path="supports.stinger.boxes[0].name"]') });
   await expect.poll(() => row.locator('td.result').allInnerTexts(), { timeout: 20_000 }).toContainEqual(expect.stringMatching(/\d/));
   await expect.poll(drawn, { timeout: 20_000 }).toContain('S9');
@@ -112,7 +112,7 @@ test('an error in YAML is found and mended in two actions', async () => {
   await put(original.replace('  water_depth: 89 m', '  water_depth: 89 m: checked'));
   await user.click('header .status.bad');
   await page.waitForFunction(() => document.activeElement?.classList.contains('cm-content'));
-  expect(await page.locator('.cm-activeLine').innerText()).toContain('water_depth: 89 m: checked');
+  await expect.poll(() => page.locator('.cm-activeLine').innerText()).toContain('water_depth: 89 m: checked');
   await user.retypeLine('  water_depth: 89 m');
   await expect.poll(text).toBe(original);
   await solved(page);
@@ -151,7 +151,7 @@ test('a lay table of 5 depths by 8 tensions is in a workbook after six actions',
   await user.click('#workspace-study');
   await user.type('[aria-label="rows: water depth, number"]', '5');
   await user.type('[aria-label="columns: tension, number"]', '8');
-  expect(await page.locator('.studystrip .main').innerText()).toMatch(/^Solve 40 cases/);
+  await expect.poll(() => page.locator('.studystrip .main').innerText()).toMatch(/^Solve 40 cases/);
   await user.click('.studystrip .main');
   await page.locator('text=/^40 cases: /').waitFor({ timeout: 180_000 });
   const saved = page.waitForEvent('download');
@@ -172,7 +172,7 @@ test('a new model gets to a storm with a library hull in six actions', async () 
   await user.click(run());
   await page.waitForSelector('.stormbar [role=progressbar]');
   expect(user.actions).toBeLessThanOrEqual(6);
-  expect(await text()).toMatch(/raos: box-hull-\d/);
+  await expect.poll(() => text()).toMatch(/raos: box-hull-\d/);
   const runs = await (await bench.api('runs')).json() as { kind: string; state: string }[];
   expect(runs.filter((r) => r.kind === 'dynamic').map((r) => r.state)).toEqual(['running']);
   await page.locator('.stormbar').getByRole('button', { name: 'Cancel' }).click();

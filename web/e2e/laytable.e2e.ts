@@ -23,12 +23,12 @@ const cells = (): ReturnType<Page['locator']> => page.locator('.casegrid td');
 
 test('every depth has the tension to ask of the vessel, by the limit that is asked for', async () => {
   const table = page.locator('section[aria-label="Tension to ask of the vessel"] table');
-  expect(await table.locator('tbody tr').count()).toBe(5);
+  await expect.poll(() => table.locator('tbody tr').count()).toBe(5);
   const before = await table.innerText();
   await page.fill('#lt-utilisation', '0.75');
   await page.keyboard.press('Tab');
   await expect.poll(() => table.innerText()).not.toBe(before);
-  expect(await page.locator('.casegrid td.beyond').count()).toBeGreaterThan(0);
+  await expect.poll(() => page.locator('.casegrid td.beyond').count()).toBeGreaterThan(0);
   await page.fill('#lt-utilisation', '1');
   await page.keyboard.press('Tab');
 });
@@ -78,8 +78,8 @@ test('the picture is shown next to the table on demand', async () => {
 test('of a table over one key, what cannot be asked for is said before', async () => {
   await page.selectOption('#lt-over', 'tension');
   await page.fill('[aria-label="from … to, in steps, to"]', '400');
-  expect(await page.locator('.studystrip .main').isDisabled()).toBe(true);
-  expect(await page.locator('.studystrip .fault').innerText()).toMatch(/unit/);
+  await expect.poll(() => page.locator('.studystrip .main').isDisabled()).toBe(true);
+  await expect.poll(() => page.locator('.studystrip .fault').innerText()).toMatch(/unit/);
 });
 
 test('a table over tension has its rows, curves and downloads', async () => {
@@ -89,10 +89,10 @@ test('a table over tension has its rows, curves and downloads', async () => {
   await page.click('.studystrip .main');
   const rows = page.locator('.studyshown table.lay-rows tbody tr');
   await rows.first().waitFor({ timeout: 60_000 });
-  expect(await rows.count()).toBeGreaterThanOrEqual(4);
-  expect(await page.locator('.studyshown table.lay-rows thead').innerText()).toMatch(/top\s+tension/);
+  await expect.poll(() => rows.count()).toBeGreaterThanOrEqual(4);
+  await expect.poll(() => page.locator('.studyshown table.lay-rows thead').innerText()).toMatch(/top\s+tension/);
   await page.click('#docktab-curves');
-  expect(await page.locator('.laycurves svg').count()).toBeGreaterThan(4);
+  await expect.poll(() => page.locator('.laycurves svg').count()).toBeGreaterThan(4);
   const book = await bench.api('lay-table.xlsx');
   expect(book.status).toBe(200);
   expect(new TextDecoder('latin1').decode((await book.arrayBuffer()).slice(0, 2))).toBe('PK');

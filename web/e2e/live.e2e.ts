@@ -26,8 +26,8 @@ async function line(number: number): Promise<void> {
 }
 
 test('the known solution', async () => {
-  expect(await reading(page, 'top tension')).toBeCloseTo(250, 0);
-  expect(await reading(page, 'lay-back')).toBeCloseTo(335.6, 0);
+  await expect.poll(() => reading(page, 'top tension')).toBeCloseTo(250, 0);
+  await expect.poll(() => reading(page, 'lay-back')).toBeCloseTo(335.6, 0);
   await page.waitForTimeout(700);
   await bench.shot(page, 'bgl1');
 });
@@ -35,10 +35,10 @@ test('the known solution', async () => {
 test('code checks are told by region, and colour the pipe', async () => {
   await showTab(page, 'checks');
   const panel = page.locator('section[aria-label="Code checks"]');
-  expect(await panel.locator('.region').first().innerText()).toMatch(/overbend\s+0\.\d+/);
-  expect(await panel.locator('.region').allInnerTexts()).toHaveLength(5);
-  expect(await panel.locator('tbody tr').count()).toBeGreaterThan(15);
-  expect(await panel.innerText()).toMatch(/Laying criterion II[\s\S]*not done/);
+  await expect.poll(() => panel.locator('.region').first().innerText()).toMatch(/overbend\s+0\.\d+/);
+  await expect.poll(() => panel.locator('.region').allInnerTexts()).toHaveLength(5);
+  await expect.poll(() => panel.locator('tbody tr').count()).toBeGreaterThan(15);
+  await expect.poll(() => panel.innerText()).toMatch(/Laying criterion II[\s\S]*not done/);
   await page.selectOption('[aria-label="Colour of the pipe"]', 'checks');
   await page.waitForFunction(() => Number.parseFloat((document.querySelector('.legend .ends span:last-child') as HTMLElement).innerText) < 5);
   await page.waitForTimeout(700);
@@ -48,7 +48,7 @@ test('code checks are told by region, and colour the pipe', async () => {
 
 test('the card says the verdict and what governs, and leads to its calculation', async () => {
   const card = page.locator('.right .verdict');
-  expect(await card.locator('h2').innerText()).toMatch(/^(Passes|Fails)/);
+  await expect.poll(() => card.locator('h2').innerText()).toMatch(/^(Passes|Fails)/);
   const used = await card.locator('.used').innerText();
   expect(used).toMatch(/^\d+\.\d+$/);
   const governing = (await card.locator('.governing').innerText()).replace(/^governing: /, '').replace(/ in the .*/, '');
@@ -57,7 +57,7 @@ test('the card says the verdict and what governs, and leads to its calculation',
   const sheet = page.locator('.checks button.fold[aria-expanded=true]', { hasText: governing });
   await sheet.waitFor();
   // its last line is the utilisation that the card says
-  expect(await page.locator('.checks tr:has(button.fold[aria-expanded=true]) + tr').first().innerText()).toMatch(new RegExp(`utilisation[\\s\\S]*${used.replace('.', '\\.')}`));
+  await expect.poll(() => page.locator('.checks tr:has(button.fold[aria-expanded=true]) + tr').first().innerText()).toMatch(new RegExp(`utilisation[\\s\\S]*${used.replace('.', '\\.')}`));
 });
 
 test('tables of results are sorted, lead to what they name, and are saved', async () => {
@@ -89,7 +89,7 @@ test('a picture for the guide', async () => {
 test('dragging the tension gives another S', async () => {
   await tryValue(page, 'tension', 400);
   await expect.poll(() => reading(page, 'lay-back')).toBeGreaterThan(380);
-  expect(await reading(page, 'top tension')).toBeCloseTo(400, 0);
+  await expect.poll(() => reading(page, 'top tension')).toBeCloseTo(400, 0);
 });
 
 test('a case without solution says why and keeps the last good one', async () => {
@@ -100,7 +100,7 @@ test('a case without solution says why and keeps the last good one', async () =>
   await page.waitForSelector('.verdict.unsolved', { timeout: 60_000 });
   await bench.shot(page, 'no-solution');
   expect((await page.locator('.verdict.unsolved').innerText()).length).toBeGreaterThan(40);
-  expect(await page.locator('.results.old .keyresults .kv').count()).toBeGreaterThan(5); // of the last solution, and marked so
+  await expect.poll(() => page.locator('.results.old .keyresults .kv').count()).toBeGreaterThan(5); // of the last solution, and marked so
   await page.click('.verdict >> text=Back to the model');
   await page.waitForSelector('.verdict.unsolved', { state: 'detached' });
   await solved(page);
@@ -111,7 +111,7 @@ test('stinger radius and box height move rollers, and are written into the model
   const before = await typed();
   expect(Number.parseFloat(before)).toBeGreaterThan(100);
   const fitted = (): Promise<number> => reading(page, 'stinger radius');
-  expect(await fitted()).toBeCloseTo(Number.parseFloat(before), 0);
+  await expect.poll(() => fitted()).toBeCloseTo(Number.parseFloat(before), 0);
   await tryValue(page, 'stinger radius', 170);
   await expect.poll(typed).toBe('170 m');
   await solved(page);
@@ -151,7 +151,7 @@ test('a roller is picked and says what it carries', async () => {
   });
   await page.mouse.click(spot.x, spot.y);
   await page.waitForFunction(() => /row \d/.test(document.querySelector('.values')?.textContent ?? ''));
-  expect(await page.locator('.values').innerText()).toMatch(/reaction\s+[\d.]+\s+kN/);
+  await expect.poll(() => page.locator('.values').innerText()).toMatch(/reaction\s+[\d.]+\s+kN/);
   await bench.shot(page, 'roller');
   await page.click('.viewbuttons >> text=whole');
 });
@@ -171,11 +171,11 @@ test('the left column is made wider by mouse and by keys, and put back', async (
   await page.mouse.down();
   await page.mouse.move(before + 90, 300, { steps: 3 });
   await page.mouse.up();
-  expect(await width()).toBeCloseTo(before + 90, -1);
+  await expect.poll(() => width()).toBeCloseTo(before + 90, -1);
   await page.locator('.handle[data-side=left]').press('ArrowLeft');
-  expect(await width()).toBeCloseTo(before + 74, -1);
+  await expect.poll(() => width()).toBeCloseTo(before + 74, -1);
   await page.locator('.handle[data-side=left]').press('Home');
-  expect(await width()).toBeCloseTo(before, 0);
+  await expect.poll(() => width()).toBeCloseTo(before, 0);
 });
 
 test('an error is shown at its line in YAML and at its field, and mended', async () => {
@@ -185,12 +185,12 @@ test('an error is shown at its line in YAML and at its field, and mended', async
   await page.keyboard.press('End');
   await page.keyboard.type('m');
   await page.waitForSelector('.faults .error');
-  expect(await page.locator('.faults .error').first().innerText()).toContain('line 23');
+  await expect.poll(() => page.locator('.faults .error').first().innerText()).toContain('line 23');
   await page.waitForSelector('.cm-lint-marker-error');
   await bench.shot(page, 'yaml-error');
   await page.waitForSelector('[role=treeitem][data-object=pipe] .mark.bad');
   const field = await openField(page, 'pipe.steel.wall_thickness');
-  expect(await page.locator('.row.wrong label').first().innerText()).toContain('wall thickness');
+  await expect.poll(() => page.locator('.row.wrong label').first().innerText()).toContain('wall thickness');
   await bench.shot(page, 'form-error');
   await field.fill('0.5 in');
   await page.keyboard.press('Enter');
@@ -206,7 +206,7 @@ test('completion knows the keys of the place', async () => {
   await page.keyboard.press('Enter');
   await page.keyboard.type('ten');
   await page.waitForSelector('.cm-tooltip-autocomplete');
-  expect(await page.locator('.cm-tooltip-autocomplete').innerText()).toContain('tensile_strength');
+  await expect.poll(() => page.locator('.cm-tooltip-autocomplete').innerText()).toContain('tensile_strength');
   await bench.shot(page, 'completion');
   await page.keyboard.press('Escape');
   for (let i = 0; i < 3; ++i) await page.keyboard.press('Backspace');
@@ -218,7 +218,7 @@ test('reload keeps the open model', async () => {
   const before = (await (await bench.api('model')).json() as { text: string }).text;
   await page.reload();
   await solved(page);
-  expect(await page.locator('#f-pipe\\.steel\\.wall_thickness').inputValue()).toBe('0.5 in'); // of the object that was selected
+  await expect.poll(() => page.locator('#f-pipe\\.steel\\.wall_thickness').inputValue()).toBe('0.5 in'); // of the object that was selected
   expect((await (await bench.api('model')).json() as { text: string }).text).toBe(before);
 });
 

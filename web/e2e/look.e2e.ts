@@ -80,10 +80,10 @@ for (const [fonts, name] of [['dejavu', 'from the tensioner [m]'], ['liberation'
     await expect.poll(async () => Object.keys(await over())).toContain(name); // whole where there is room, else its end
     expect((await over())[name]).toBeLessThan(0);
     await page.locator('.handle[data-side=left]').press('Home');
-    expect(await overhanging(page)).toEqual([]);
+    await expect.poll(() => overhanging(page)).toEqual([]);
     for (let i = 0; i < 8; ++i) await page.locator('.handle[data-side=left]').press('ArrowLeft');
     expect((await page.locator('main > .left').boundingBox())!.width).toBeCloseTo(200, -1);
-    expect(await overhanging(page)).toEqual([]);
+    await expect.poll(() => overhanging(page)).toEqual([]);
     await page.context().close();
     expect(own.complaints).toEqual([]);
     await own.stop();
@@ -102,13 +102,13 @@ test('findings are short, named, without paths of this machine, and folded after
   });
   await solved(page);
   const box = page.locator('.findings');
-  expect(await box.locator('li').count()).toBe(4);
-  expect(await box.locator('li').first().innerText()).toMatch(/^caution:\s+the pipe runs off[\s\S]*stinger 8$/);
-  expect(await box.innerText()).toContain('rao.csv: 3 headings');
-  expect(await box.innerText()).not.toContain('/home/me');
+  await expect.poll(() => box.locator('li').count()).toBe(4);
+  await expect.poll(() => box.locator('li').first().innerText()).toMatch(/^caution:\s+the pipe runs off[\s\S]*stinger 8$/);
+  await expect.poll(() => box.innerText()).toContain('rao.csv: 3 headings');
+  await expect.poll(() => box.innerText()).not.toContain('/home/me');
   await box.locator('text=2 more').click();
-  expect(await box.locator('li').count()).toBe(6);
-  expect(await box.locator('li').last().innerText()).toMatch(/^caution:\s+the pipe has left the box over the side to port …$/);
+  await expect.poll(() => box.locator('li').count()).toBe(6);
+  await expect.poll(() => box.locator('li').last().innerText()).toMatch(/^caution:\s+the pipe has left the box over the side to port …$/);
   await page.context().close();
 });
 
@@ -126,10 +126,10 @@ for (const [width, height] of [[390, 844], [1024, 700]] as const) {
     await solved(page);
     const drawers = { Model: '.left', Verdict: '.right' };
     for (const [name, pane] of Object.entries(drawers)) {
-      expect(await page.locator(`main > ${pane}`).isVisible()).toBe(false);
+      await expect.poll(() => page.locator(`main > ${pane}`).isVisible()).toBe(false);
       await page.click(`.drawerbutton >> text=${name}`);
-      for (const other of Object.values(drawers)) expect(await page.locator(`main > ${other}`).isVisible()).toBe(other === pane);
-      expect(await overEdge(page)).toEqual([]);
+      for (const other of Object.values(drawers)) await expect.poll(() => page.locator(`main > ${other}`).isVisible()).toBe(other === pane);
+      await expect.poll(() => overEdge(page)).toEqual([]);
       await bench.shot(page, `small-${width}-${name.toLowerCase()}`);
       await page.keyboard.press('Escape');
     }

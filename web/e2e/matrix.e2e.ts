@@ -27,8 +27,8 @@ const solve = async (words: RegExp): Promise<void> => {
 
 test('what cannot be asked for is said before', async () => {
   await key(1, { from: 'much' });
-  expect(await page.locator('.studystrip .main').isDisabled()).toBe(true);
-  expect(await page.locator('.studystrip .fault').innerText()).toMatch(/from and to/);
+  await expect.poll(() => page.locator('.studystrip .main').isDisabled()).toBe(true);
+  await expect.poll(() => page.locator('.studystrip .fault').innerText()).toMatch(/from and to/);
 });
 
 test('a study over one key is run and drawn as a curve', async () => {
@@ -36,14 +36,14 @@ test('a study over one key is run and drawn as a curve', async () => {
   await solve(/^Solve 5 cases/);
   await pane().getByText('5 cases:').waitFor({ timeout: 60_000 });
   await expect.poll(() => page.locator('.studyshown .matrix .point:not(.open)').count(), { timeout: 60_000 }).toBe(5);
-  expect(await page.locator('[aria-label="Result"] option').first().innerText()).toMatch(/^Utilisation/);
+  await expect.poll(() => page.locator('[aria-label="Result"] option').first().innerText()).toMatch(/^Utilisation/);
   const [run] = await (await bench.api('runs')).json() as { id: string }[];
   await expect.poll(async () => (await (await bench.api(`runs/${run!.id}/table.csv`)).text()).trim().split('\n').length).toBe(6);
 });
 
 test('a case that is chosen in the chart is shown and taken into the model', async () => {
   await page.locator('.studyshown .matrix .point').nth(4).click();
-  expect(await page.locator('.chosencase').innerText()).toMatch(/tension\s+350 kN/);
+  await expect.poll(() => page.locator('.chosencase').innerText()).toMatch(/tension\s+350 kN/);
   await page.click('text=Take into the model');
   await expect.poll(async () => (await bench.api('model')).text()).toMatch(/350 kN/);
 });
@@ -55,13 +55,13 @@ test('two keys make a table, and a case without a solution says so', async () =>
   await solve(/^Solve 6 cases/);
   await pane().getByText('have no solution').waitFor({ timeout: 120_000 });
   await expect.poll(() => page.locator('.casegrid td:not(.open)').count(), { timeout: 60_000 }).toBe(6);
-  expect(await page.locator('.casegrid td.failed').count()).toBe(3);
+  await expect.poll(() => page.locator('.casegrid td.failed').count()).toBe(3);
   await page.locator('.casegrid td.failed button').first().click();
-  expect(await page.locator('.chosencase .fault').innerText()).toMatch(/tension/i);
+  await expect.poll(() => page.locator('.chosencase .fault').innerText()).toMatch(/tension/i);
   await page.click('#docktab-governing');
-  expect(await page.locator('.dockpanel').innerText()).toMatch(/no solution/);
+  await expect.poll(() => page.locator('.dockpanel').innerText()).toMatch(/no solution/);
   await page.click('#docktab-cases');
-  expect(await page.locator('.dockpanel tbody tr').count()).toBe(6);
+  await expect.poll(() => page.locator('.dockpanel tbody tr').count()).toBe(6);
   await bench.shot(page, 'study-grid');
 });
 
@@ -70,17 +70,17 @@ test('one key at a time gives the swing of each', async () => {
   await key(1, { list: '300, 400' });
   await solve(/^Solve 6 cases/);
   await page.locator('.studyshown svg >> text=water depth').waitFor({ timeout: 120_000 });
-  expect(await page.locator('.studyshown svg').innerHTML()).toMatch(/tensioner\.tension: /);
+  await expect.poll(() => page.locator('.studyshown svg').innerHTML()).toMatch(/tensioner\.tension: /);
 });
 
 test('the largest value that passes is found for every other', async () => {
   await page.selectOption('#st-kind', 'operability');
   await key(1, { list: '200 kN..900 kN/8' });
-  expect(await page.locator('#st-over').inputValue()).toBe('tensioner.tension');
+  await expect.poll(() => page.locator('#st-over').inputValue()).toBe('tensioner.tension');
   await solve(/^Find 3 limits/);
   const rows = page.locator('.studyshown table.limits tbody tr');
   await expect.poll(() => rows.count(), { timeout: 120_000 }).toBe(3);
-  expect(await page.locator('table.limits').innerText()).toMatch(/Local buckling|Tension|Equivalent|strain|off-rollers|compression|yield/i);
+  await expect.poll(() => page.locator('table.limits').innerText()).toMatch(/Local buckling|Tension|Equivalent|strain|off-rollers|compression|yield/i);
   await bench.shot(page, 'study-limits');
 });
 
@@ -88,7 +88,7 @@ test('the study file is shown, and what is edited in it is solved', async () => 
   await page.selectOption('#st-kind', 'study');
   await page.click('#docktab-file');
   const file = page.locator('[aria-label="Study file"]');
-  expect(await file.inputValue()).toMatch(/^overbend_study: 1\n/);
+  await expect.poll(() => file.inputValue()).toMatch(/^overbend_study: 1\n/);
   await file.fill('overbend_study: 1\nbase: m.yaml\nanalysis: static\nsample: {count: 4, keys: {tensioner.tension: {from: 250 kN, to: 350 kN}}}\n');
   await solve(/^Solve the study file/);
   await pane().getByText('4 cases:').waitFor({ timeout: 60_000 });
@@ -97,7 +97,7 @@ test('the study file is shown, and what is edited in it is solved', async () => 
   await page.click('.studystrip .main');
   await expect.poll(() => page.locator('.studystrip .fault').innerText()).toMatch(/tensioner\.tenson/);
   await page.click('text=Back to the fields above');
-  expect(await page.locator('.studystrip .fault').count()).toBe(0);
+  await expect.poll(() => page.locator('.studystrip .fault').count()).toBe(0);
 });
 
 test('a study is cancelled and goes on again', async () => {

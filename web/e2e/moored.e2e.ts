@@ -20,7 +20,7 @@ async function put(next: string, name?: string): Promise<void> {
 const rows = (): Promise<string[][]> => page.locator('.dock table.moorings tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => (cell as HTMLElement).innerText.trim())));
 
 test('a moored barge without a pipe shows its lines, with the values of summary.json', async () => {
-  expect(await page.locator('.viewbuttons button').allInnerTexts()).toEqual(['vessel', 'moorings', 'side', 'plan']);
+  await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts()).toEqual(['vessel', 'moorings', 'side', 'plan']);
   const { id } = await (await bench.api('runs', { method: 'POST', body: JSON.stringify({ kind: 'static' }) })).json() as { id: string };
   await expect.poll(async () => (await bench.api(`runs/${id}/summary`)).status, { timeout: 20_000 }).toBe(200);
   const summary = await (await bench.api(`runs/${id}/summary`)).json() as Summary;
@@ -32,7 +32,7 @@ test('a moored barge without a pipe shows its lines, with the values of summary.
     expect(Number(r[3])).toBeCloseTo(summary.static.moorings[i]!.on_bed, 0);
   });
   const surge = summary.static.vessel.natural_periods.find((p) => p.mode === 'surge')!;
-  expect(await page.locator('.moored .kv', { hasText: 'T surge' }).locator('dd').innerText()).toContain(surge.period.toPrecision(3));
+  await expect.poll(() => page.locator('.moored .kv', { hasText: 'T surge' }).locator('dd').innerText()).toContain(surge.period.toPrecision(3));
   expect(await colours(page, await picture(page, '.canvas'))).toBeGreaterThan(6);
   await bench.shot(page, 'moored-3d');
 });
@@ -42,13 +42,13 @@ test('the table is sorted by a click, and a line that is chosen is told', async 
   const tensions = (await rows()).map((r) => Number(r[1]));
   expect(tensions).toEqual([...tensions].sort((a, b) => b - a));
   await page.click('.dock table.moorings tbody tr:first-child .linkname');
-  expect(await page.locator('.values').innerText()).toContain((await rows())[0]![0]);
+  await expect.poll(() => page.locator('.values').innerText()).toContain((await rows())[0]![0]);
 });
 
 test('the plan names eight lines with their tensions, at three sizes', async () => {
   await page.click('.viewbuttons >> text=plan');
   await page.waitForSelector('.planview .planline');
-  expect(await page.locator('.planview .planline .name').count()).toBe(8);
+  await expect.poll(() => page.locator('.planview .planline .name').count()).toBe(8);
   const loads = await page.locator('.planview .planline .load').allTextContents();
   expect(loads.every((l) => /^\d+(\.\d+)? kN$/.test(l))).toBe(true);
   for (const [name, width, height] of [['large', 1920, 1080], ['middle', 1280, 720], ['small', 390, 780]] as const) {
@@ -71,7 +71,7 @@ test('the barge moves on its lines in time, and is animated', async () => {
   expect(over.length).toBe(14);
   expect(Number(over.find((r) => r[0]!.startsWith('pitch'))![2])).toBeCloseTo(dynamic.vessel.pitch.max * 180 / Math.PI, 1);
   expect(Number(over.find((r) => r[0]!.startsWith('port bow'))![2])).toBeCloseTo(dynamic.moorings[0]!.fairlead_tension.max / 1e3, 0);
-  expect(await page.locator('.standing').innerText()).toBe('40 s, seed 1');
+  await expect.poll(() => page.locator('.standing').innerText()).toBe('40 s, seed 1');
   await page.locator('table.overtime button', { hasText: 'port bow' }).click();
   await page.waitForSelector('#docktab-histories[aria-selected=true]');
   await expect.poll(() => page.locator('[aria-label="History 1"]').inputValue()).toBe('mooring/port bow/fairlead_tension');
@@ -97,7 +97,7 @@ test('a stage of the operation is followed by plan and table', async () => {
   const before = await page.locator('.planview .load').allTextContents();
   await page.selectOption('.planacts select', { label: 'port bow parted' });
   await expect.poll(() => page.locator('.planview .load').count()).toBe(7);
-  expect(await page.locator('.planview .load').allTextContents()).not.toEqual(before);
+  await expect.poll(() => page.locator('.planview .load').allTextContents()).not.toEqual(before);
   expect((await rows()).find((r) => r[0] === 'port bow')![1]).toBe('-');
   await page.click('.viewbuttons >> text=moorings');
   await page.waitForTimeout(600);
@@ -111,14 +111,14 @@ test('a spread from the dialogue is written into a lay, solves, and is undone', 
   await page.click('text=add to the model');
   await page.click('[role=menuitem] >> text=Moorings');
   await page.fill('#m-angles', '25');
-  expect(await page.locator('dialog .fault').innerText()).toMatch(/4 angles/);
+  await expect.poll(() => page.locator('dialog .fault').innerText()).toMatch(/4 angles/);
   await page.selectOption('#m-count', '6');
   await page.fill('#m-tension', '250 kN');
   await bench.shot(page, 'spread');
   await page.click('dialog >> text=Write into the model');
   await expect.poll(() => page.locator('.planview .planline').count(), { timeout: 20_000 }).toBe(6);
   await solved(page);
-  expect(await page.locator('header .status').innerText()).toMatch(/solved/);
+  await expect.poll(() => page.locator('header .status').innerText()).toMatch(/solved/);
   await showTab(page, 'moorings');
   expect((await rows()).map((r) => Number(r[1]))).toEqual(Array(6).fill(250));
   await bench.shot(page, 'spread-plan');
@@ -136,9 +136,9 @@ test('a barge that thrusters alone hold is seen, without lines that it does not 
   await rested(page);
   await showTab(page, 'moorings');
   await page.waitForSelector('section[aria-label="Station keeping"]');
-  expect(await page.locator('section[aria-label="Station keeping"] table').count()).toBe(0);
+  await expect.poll(() => page.locator('section[aria-label="Station keeping"] table').count()).toBe(0);
   await showTab(page, 'diagrams');
-  expect(await page.locator('.slot .empty').first().innerText()).toMatch(/neither pipe nor lines/);
+  await expect.poll(() => page.locator('.slot .empty').first().innerText()).toMatch(/neither pipe nor lines/);
   expect(await colours(page, await picture(page, '.canvas'))).toBeGreaterThan(8);
   await bench.shot(page, 'positioned');
   await runStorm(bench, page, 20);
@@ -157,7 +157,7 @@ test('a line by itself is drawn, and its diagrams are those of the line', async 
   await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts(), { timeout: 20_000 }).toEqual(['lines', 'side', 'plan']);
   await solved(page);
   await showTab(page, 'lines');
-  expect(await page.locator('.moored .kv', { hasText: 'length' }).first().locator('dd').innerText()).toMatch(/^170/);
+  await expect.poll(() => page.locator('.moored .kv', { hasText: 'length' }).first().locator('dd').innerText()).toMatch(/^170/);
   await showTab(page, 'diagrams');
   await page.waitForSelector('.slot .plot canvas');
   await page.waitForTimeout(300);

@@ -29,7 +29,7 @@ test('a first operation is written into the model and its stages are solved', as
 test('a stage that is clicked is the one that picture and results show', async () => {
   await page.locator('table.stages tbody tr').nth(2).locator('.linkname').click();
   await expect.poll(() => page.locator('.whoseresults h3').innerText()).toMatch(/Stage 3/);
-  expect(await page.locator('.stagebar .which').innerText()).toMatch(/stage 3 of 5/);
+  await expect.poll(() => page.locator('.stagebar .which').innerText()).toMatch(/stage 3 of 5/);
   const tension = page.locator('.right tr', { hasText: 'top tension' }).first();
   expect(Number.parseFloat((await tension.locator('td').first().innerText()))).toBeCloseTo(Number((await rows())[2]![2]), 0);
   await bench.shot(page, 'operation-move');
@@ -38,10 +38,10 @@ test('a stage that is clicked is the one that picture and results show', async (
 test('the slider goes through the stages, and back to the lay', async () => {
   await page.locator('.stagebar input[type=range]').fill('4');
   await expect.poll(() => page.locator('.stagebar .which').innerText()).toMatch(/stage 5/);
-  expect(await page.locator('table.stages tr.chosen').count()).toBe(1);
+  await expect.poll(() => page.locator('table.stages tr.chosen').count()).toBe(1);
   await page.click('.stagebar [aria-label="Back to the lay"]');
   await expect.poll(() => page.locator('.stagebar .which').innerText()).toMatch(/the lay is shown/);
-  expect(await page.locator('.whoseresults').count()).toBe(0);
+  await expect.poll(() => page.locator('.whoseresults').count()).toBe(0);
 });
 
 test('a stage that cannot be says why in its row', async () => {
@@ -50,14 +50,14 @@ test('a stage that cannot be says why in its row', async () => {
   await page.click('.opstrip >> text=Solve 2 stages');
   await expect.poll(async () => (await rows()).length, { timeout: 60_000 }).toBe(2);
   await page.locator('table.stages tr.gone td.why').waitFor({ timeout: 60_000 });
-  expect(await page.locator('table.stages tr.gone td.why').innerText()).toMatch(/\w{4}/);
-  expect(await page.locator('table.stages tr.gone .linkname').isDisabled()).toBe(true);
+  await expect.poll(() => page.locator('table.stages tr.gone td.why').innerText()).toMatch(/\w{4}/);
+  await expect.poll(() => page.locator('table.stages tr.gone .linkname').isDisabled()).toBe(true);
   await bench.shot(page, 'operation-failed');
 });
 
 test('a stage of a list is changed in its row', async () => {
   const tension = page.locator('table.stages tbody tr').nth(1).locator('td.setting input').nth(1);
-  expect(await tension.inputValue()).toBe('1 kN');
+  await expect.poll(() => tension.inputValue()).toBe('1 kN');
   await tension.fill('240');
   await tension.press('Enter');
   await expect.poll(text).toMatch(/ahead: 6 m, tension: 240 kN/);
@@ -65,7 +65,7 @@ test('a stage of a list is changed in its row', async () => {
   await page.click('.opstrip >> text=Solve 2 stages');
   // the value of the solved stage stands behind that of the model
   await expect.poll(async () => Number(await tension.getAttribute('placeholder')), { timeout: 60_000 }).toBe(240);
-  expect(await page.locator('table.stages tr.gone').count()).toBe(0);
+  await expect.poll(() => page.locator('table.stages tr.gone').count()).toBe(0);
 });
 
 test('the settings of a designed abandonment stand in words above the picture, with their keys behind', async () => {
@@ -76,19 +76,19 @@ test('the settings of a designed abandonment stand in words above the picture, w
   await expect.poll(() => page.locator('.opstrip .main').innerText(), { timeout: 180_000 }).toBe('Solve 11 stages');
   await bench.shot(page, 'operation-designed');
   const field = page.locator('.opstrip .valuebox', { hasText: 'tension' });
-  expect(await field.locator('button').first().innerText()).toBe('seek: utilisation below 0.9');
+  await expect.poll(() => field.locator('button').first().innerText()).toBe('seek: utilisation below 0.9');
   await field.locator('button').first().click();
   await page.fill('.valuepanel:popover-open [id="f-operation.stages.limits.tip_clearance"]', '0 m');
   await page.keyboard.press('Enter');
   await expect.poll(text).toMatch(/tip_clearance: 0 m/);
   await page.keyboard.press('Escape');
   await expect.poll(() => page.locator('.valuepanel:popover-open').count()).toBe(0);
-  expect(await page.locator('.opstrip .valuebox', { hasText: 'cable' }).first().locator('button').first().innerText()).toMatch(/mm, [\d.]+ kN/);
+  await expect.poll(() => page.locator('.opstrip .valuebox', { hasText: 'cable' }).first().locator('button').first().innerText()).toMatch(/mm, [\d.]+ kN/);
 });
 
 test('diagrams run over the stages, and tension along the cable', async () => {
   await page.click('#docktab-over');
-  expect(await page.locator('.datadiagram').count()).toBeGreaterThan(4);
+  await expect.poll(() => page.locator('.datadiagram').count()).toBeGreaterThan(4);
   await page.click('#docktab-cable');
   await expect.poll(() => page.locator('.cablevalues').innerText()).toMatch(/breaking load/);
   await page.click('#docktab-stages');
@@ -105,14 +105,14 @@ test('an abandonment shows head and cable apart from the pipe, at three sizes', 
   const standing = (await rows()).filter((r) => r.length === heads.length).map((r) => Number(r[depth]));
   expect(standing.length).toBeGreaterThan(5);
   expect(standing).toEqual([...standing].sort((a, b) => b - a)); // the head goes down
-  expect(await page.locator('.holds li').count()).toBeGreaterThan(2);
+  await expect.poll(() => page.locator('.holds li').count()).toBeGreaterThan(2);
   await rested(page);
   const first = await picture(page, '.canvas');
   await page.locator('.stagebar input[type=range]').fill('6');
   await expect.poll(() => page.locator('.stagebar .which').innerText()).toMatch(/stage 7/);
   await rested(page);
   expect(await difference(page, first, await picture(page, '.canvas'))).toBeGreaterThan(0.05);
-  expect(await page.locator('.legend').innerText()).toMatch(/head\s+cable/);
+  await expect.poll(() => page.locator('.legend').innerText()).toMatch(/head\s+cable/);
   await page.click('#docktab-diagrams');
   await expect.poll(() => page.locator('.dock .slot .chartlegend').first().innerText()).toMatch(/cable/);
   await page.click('#docktab-stages');

@@ -43,8 +43,8 @@ test('the legend ends at the yield stress, and names that are drawn do not cover
 test('the side view draws pipe, hull and boxes and says its scale', async () => {
   await view('side');
   await page.waitForSelector('.sideview');
-  expect(await page.locator('.boxhandle').count()).toBe(13);
-  expect(await page.locator('.scalewords').count()).toBe(0);
+  await expect.poll(() => page.locator('.boxhandle').count()).toBe(13);
+  await expect.poll(() => page.locator('.scalewords').count()).toBe(0);
   await page.locator('.sidechoices button', { hasText: 'true scale' }).click();
   await expect.poll(() => page.locator('.scalewords').innerText()).toMatch(/heights × /);
   await bench.shot(page, 'picture-side-high');
@@ -55,18 +55,18 @@ test('a box that is clicked in one view is selected in all', async () => {
   await page.locator('.sidechoices button', { hasText: 'boxes' }).click();
   await page.mouse.click(...await middle('stinger 4'));
   await expect.poll(selectedPath).toContain('supports.stinger.boxes[3]');
-  expect(await page.locator('.boxhandle.chosen').getAttribute('data-box')).toBe('stinger 4');
+  await expect.poll(() => page.locator('.boxhandle.chosen').getAttribute('data-box')).toBe('stinger 4');
   await expect.poll(() => page.locator('.values').innerText()).toMatch(/stinger 4[\s\S]*reaction/);
   await bench.shot(page, 'picture-side-boxes');
   await view('section');
   await expect.poll(() => page.locator('.sectiontitle').innerText()).toMatch(/stinger 4/);
-  expect(await page.locator('.sectionrow').count()).toBe(3);
+  await expect.poll(() => page.locator('.sectionrow').count()).toBe(3);
   await bench.shot(page, 'picture-section');
   await page.click('[aria-label="Next box"]');
   await expect.poll(selectedPath).toContain('supports.stinger.boxes[4]');
   await view('plan');
   await page.waitForSelector('.planbox.chosen title', { state: 'attached' });
-  expect(await page.locator('.planbox.chosen title').textContent()).toBe('stinger 5');
+  await expect.poll(() => page.locator('.planbox.chosen title').textContent()).toBe('stinger 5');
   await bench.shot(page, 'picture-plan');
   await view('stinger');
   await expect.poll(() => page.locator('.label3d.chosen').innerText()).toBe('stinger 5');
@@ -87,7 +87,7 @@ test('a box is dragged with live statics, put back by Esc, and written as one st
   await page.keyboard.press('Escape');
   await page.mouse.up();
   await expect.poll(() => page.locator('.dragreading').count()).toBe(0);
-  expect(await text()).toBe(before);
+  await expect.poll(() => text()).toBe(before);
 
   await page.mouse.move(x, y);
   await page.mouse.down();
@@ -166,7 +166,7 @@ test('events of a run are gone to one after another, and the largest of any hist
   await view('side');
   await page.waitForTimeout(300);
   await bench.shot(page, 'picture-storm-side');
-  expect(await page.locator('.boxhandle.movable').count()).toBe(0);
+  await expect.poll(() => page.locator('.boxhandle.movable').count()).toBe(0);
   await view('whole');
 });
 

@@ -25,7 +25,7 @@ test('the report itself stands in the middle', async () => {
   await goTo(page, 'report');
   await page.getByRole('button', { name: 'Make the report' }).click();
   await frame().locator('h1').waitFor({ timeout: 60_000 });
-  expect(await frame().locator('h1').innerText()).toBe('My first lay');
+  await expect.poll(() => frame().locator('h1').innerText()).toBe('My first lay');
   await bench.shot(page, 'report');
 });
 
@@ -37,7 +37,7 @@ test('document control is written into the model, and the report says so when it
   expect(await (await bench.api('model')).text()).toMatch(/document: OB-001/);
   await page.click('text=Make it again');
   await frame().locator('text=OB-001').first().waitFor({ timeout: 60_000 });
-  expect(await page.locator('text=Of the model as it was before').count()).toBe(0);
+  await expect.poll(() => page.locator('text=Of the model as it was before').count()).toBe(0);
 });
 
 test('parts are left out of what is shown and printed, on the paper that is chosen', async () => {
@@ -64,7 +64,7 @@ test('a run of the folder is reported as well', async () => {
   const run = await page.locator('#rp-subject optgroup option').first().getAttribute('value');
   await page.selectOption('#rp-subject', run!);
   await frame().locator('h1').waitFor();
-  expect(await page.locator('.reportfiles >> text=Make again').count()).toBe(0);
+  await expect.poll(() => page.locator('.reportfiles >> text=Make again').count()).toBe(0);
 });
 
 test('nothing was complained about', () => expect(bench.complaints.filter((c) => !c.includes('model/disk'))).toEqual([]));

@@ -47,13 +47,13 @@ test('runs that have ended are marked in the header until the list is seen', asy
 
 test('the list is filtered and ordered', async () => {
   await page.selectOption('.runfilter [aria-label=kind]', 'static');
-  expect(await page.locator('table.runlist tbody tr').count()).toBe(1);
+  await expect.poll(() => page.locator('table.runlist tbody tr').count()).toBe(1);
   await page.selectOption('.runfilter [aria-label=kind]', '');
   await page.fill('.runfilter input', '255');
   await expect.poll(() => page.locator('table.runlist tbody tr').count()).toBeLessThan(3);
   await page.click('.runfilter >> text=all');
   await page.click('table.runlist th >> text=kind');
-  expect(await page.locator('table.runlist tbody tr').last().innerText()).toMatch(/static/);
+  await expect.poll(() => page.locator('table.runlist tbody tr').last().innerText()).toMatch(/static/);
   await page.click('table.runlist th >> text=started');
 });
 
@@ -94,11 +94,11 @@ test('two runs stand side by side: keys of their models, results, diagrams', asy
   if ((await bench.api(`runs/${first}/model`)).status === 200) {
     await expect.poll(() => keys.innerText()).toMatch(/tensioner\.tension\s+250 kN\s+255 kN/);
   }
-  expect(await results.locator('tr', { hasText: 'static top tension' }).innerText()).toMatch(/250\s+255 \+2 %/);
+  await expect.poll(() => results.locator('tr', { hasText: 'static top tension' }).innerText()).toMatch(/250\s+255 \+2 %/);
   await bench.shot(page, 'runs-differences');
   await page.click('#docktab-diagrams');
   await expect.poll(() => page.locator('.datadiagram').count()).toBe(3);
-  expect(await page.locator('.datadiagram .chartlegend').first().innerText()).toMatch(/Hs 2\.5 m/);
+  await expect.poll(() => page.locator('.datadiagram .chartlegend').first().innerText()).toMatch(/Hs 2\.5 m/);
   const [file] = await Promise.all([page.waitForEvent('download'), page.locator('.datadiagram').first().locator('text=csv').click()]);
   expect(readFileSync(await file.path(), 'utf8')).toMatch(/^arc length/);
   await bench.shot(page, 'runs-diagrams');
@@ -126,7 +126,7 @@ test('several runs are deleted at once, when that is said twice', async () => {
   for (const run of all) if (run.id !== first && run.id !== still) await row(run.id).locator('input[type=checkbox]').check();
   await row(first).locator('input[type=checkbox]').uncheck();
   await page.click('.runacts >> text=Delete…');
-  expect(await page.locator('.sure').innerText()).toMatch(/Delete 2 runs/);
+  await expect.poll(() => page.locator('.sure').innerText()).toMatch(/Delete 2 runs/);
   await page.click('.sure >> text=Keep');
   expect((await list()).length).toBe(4);
   // what is still read of a run that is shown is waited for

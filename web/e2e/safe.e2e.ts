@@ -42,7 +42,7 @@ test('a file that another program changed is not overwritten: both texts are sho
   await page.keyboard.press('Control+s');
   const dialog = page.locator('dialog[aria-label="bgl1.yaml has changed on disk"]');
   await dialog.waitFor();
-  expect(await dialog.locator('.differs').innerText()).toMatch(/85 m[\s\S]*93 m/);
+  await expect.poll(() => dialog.locator('.differs').innerText()).toMatch(/85 m[\s\S]*93 m/);
   await bench.shot(page, 'overwrite');
   await dialog.locator('footer >> text=Cancel').click();
   expect(file()).toContain('water_depth: 85 m');
@@ -159,7 +159,7 @@ test('what is typed while a save is on its way stays, unsaved, and goes into the
   await expect.poll(async () => (await model()).text).toContain('# typed meanwhile');
   await page.waitForSelector('h1 i');
   expect(file()).not.toContain('# typed meanwhile');
-  expect(await page.locator('.cm-content').innerText()).toContain('# typed meanwhile');
+  await expect.poll(() => page.locator('.cm-content').innerText()).toContain('# typed meanwhile');
   await page.unroute('**/api/model/save');
   await page.keyboard.press('Control+s');
   await page.waitForSelector('h1 i', { state: 'detached' });

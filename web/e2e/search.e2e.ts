@@ -9,13 +9,13 @@ beforeAll(async () => { bench = await start('bgl1.yaml'); page = await bench.ope
 afterAll(async () => { await bench?.stop(); });
 
 test('a word far below is found and shown', async () => {
-  expect(await page.locator('.cm-content').innerText()).not.toMatch(/partial_factors|convention|duration/);
+  await expect.poll(() => page.locator('.cm-content').innerText()).not.toMatch(/partial_factors|convention|duration/);
   await page.keyboard.press('Control+f');
   await page.locator('.cm-search input[name=search]').waitFor();
   await page.keyboard.type('duration');
   await page.keyboard.press('Enter');
   await page.locator('.cm-searchMatch-selected').waitFor();
-  expect(await page.locator('.cm-searchMatch-selected').innerText()).toBe('duration');
+  await expect.poll(() => page.locator('.cm-searchMatch-selected').innerText()).toBe('duration');
   await bench.shot(page, 'yaml-search');
 });
 
@@ -34,7 +34,7 @@ test('what is replaced is in the model, and Escape closes the search', async () 
   await page.click('.cm-search button[name=replaceAll]');
   await expect.poll(async () => (await (await bench.api('model')).json() as { text: string }).text).toMatch(/^title: Searched/m);
   await page.locator('.cm-search input[name=search]').press('Escape');
-  expect(await page.locator('.cm-search').count()).toBe(0);
+  await expect.poll(() => page.locator('.cm-search').count()).toBe(0);
 });
 
 test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

@@ -17,11 +17,11 @@ test('a bottom tension is made what is wanted, and the tension goes into the mod
   await bench.shot(page, 'seek-asked');
   await page.click('dialog button.main');
   await page.waitForSelector('.seek .found');
-  expect(await page.locator('.seek .found').innerText()).toContain('makes it 270 kN');
+  await expect.poll(() => page.locator('.seek .found').innerText()).toContain('makes it 270 kN');
   await bench.shot(page, 'seek-found');
   await page.click('dialog button.main:has-text("Put into the model")');
   await page.waitForSelector('dialog', { state: 'detached' });
-  expect(await row().locator('th small').innerText()).toBe('kN');
+  await expect.poll(() => row().locator('th small').innerText()).toBe('kN');
   await expect.poll(async () => (await row().locator('td').first().innerText()).trim(), { timeout: 20_000 }).toMatch(/^270(\.0)?$/);
 });
 
@@ -31,7 +31,7 @@ test('what cannot be reached is said with what is', async () => {
   await page.fill('#s-value', '5000 kN');
   await page.click('dialog button.main');
   await page.waitForSelector('.seek .found');
-  expect(await page.locator('.seek .found').innerText()).toContain('it goes from');
+  await expect.poll(() => page.locator('.seek .found').innerText()).toContain('it goes from');
   await bench.shot(page, 'seek-none');
   await page.keyboard.press('Escape');
 });

@@ -26,7 +26,7 @@ test('a value that does not solve is said in the card, and the nearest that does
   expect(found).toBeGreaterThan(1);
   expect(found).toBeLessThan(200);
   await expect.poll(() => reading(page, 'top tension')).toBeCloseTo(found, 0);
-  expect(await text()).toContain('tension: 250 kN');
+  await expect.poll(() => text()).toContain('tension: 250 kN');
   await page.click('.pinned .apply >> text=Reset');
   await expect.poll(() => reading(page, 'top tension')).toBeCloseTo(250, 0);
 }, 200_000);
@@ -36,11 +36,11 @@ test('a file that another program changed is said when the page is looked at, re
   await page.keyboard.press('Enter');
   await expect.poll(text).toContain('water_depth: 91 m');
   const own = await text();
-  expect(await page.locator('.changedoutside').count()).toBe(0);
+  await expect.poll(() => page.locator('.changedoutside').count()).toBe(0);
   writeFileSync(file(), readFileSync(file(), 'utf8').replace('water_depth: 89 m', 'water_depth: 85 m'));
   await lookAgain();
   await page.waitForSelector('.changedoutside');
-  expect(await page.locator('.changedoutside').innerText()).toMatch(/bgl1\.yaml has been changed by another program\. Your changes here are not saved\./);
+  await expect.poll(() => page.locator('.changedoutside').innerText()).toMatch(/bgl1\.yaml has been changed by another program\. Your changes here are not saved\./);
   await page.click('.changedoutside >> text=Read the file');
   await expect.poll(text).toContain('water_depth: 85 m');
   await page.waitForSelector('.changedoutside', { state: 'detached' });
@@ -60,8 +60,8 @@ test('a damaged file opens in the editor at its line', async () => {
   await page.click('dialog >> text=damaged.yaml');
   await page.waitForSelector('main[data-workspace=lay] #docktab-yaml[aria-selected=true]');
   await page.waitForFunction(() => document.activeElement?.classList.contains('cm-content'));
-  expect(await page.locator('.cm-activeLine').innerText()).toContain('water_depth: 85 m: checked');
-  expect(await page.locator('.faults').innerText()).toMatch(/line 7/);
+  await expect.poll(() => page.locator('.cm-activeLine').innerText()).toContain('water_depth: 85 m: checked');
+  await expect.poll(() => page.locator('.faults').innerText()).toMatch(/line 7/);
   await bench.shot(page, 'damaged');
 });
 
@@ -78,12 +78,12 @@ test('what is typed while the program cannot be reached is sent when it can', as
   await page.route('**/api/model**', (route) => route.abort());
   await typeAtEnd('# typed while it was away');
   await disconnected().waitFor({ timeout: 30_000 });
-  expect(await text()).not.toContain('# typed while it was away');
+  await expect.poll(() => text()).not.toContain('# typed while it was away');
   await page.unrouteAll();
   await lookAgain();
   await expect.poll(text).toContain('# typed while it was away');
   await disconnected().waitFor({ state: 'detached' });
-  expect(await editor()).toContain('# typed while it was away');
+  await expect.poll(() => editor()).toContain('# typed while it was away');
 });
 
 test('a program that has ended is said, and what was typed stays', async () => {
@@ -93,6 +93,6 @@ test('a program that has ended is said, and what was typed stays', async () => {
   await typeAtEnd(', and this without it');
   await page.locator('.notice', { hasText: 'The program does not answer' }).first().waitFor({ timeout: 30_000 });
   await page.waitForTimeout(1000); // for whatever would take the text away
-  expect(await editor()).toContain('# typed while it was away, and this without it');
+  await expect.poll(() => editor()).toContain('# typed while it was away, and this without it');
   await bench.shot(page, 'no-connection');
 });

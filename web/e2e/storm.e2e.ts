@@ -39,16 +39,16 @@ async function type(label: string, field: string, typed: string): Promise<void> 
 }
 
 test('the library hull is said to be an assumption, in the strip and in the file', async () => {
-  expect(await value('motion')).toBe('library hull');
-  expect(await page.locator('.stormstrip').innerText()).toMatch(/box hull of 120 × 30 m scaled from BGL-1: an assumption/);
-  expect(await text()).toMatch(/raos: box-hull-120x30m\.csv/);
+  await expect.poll(() => value('motion')).toBe('library hull');
+  await expect.poll(() => page.locator('.stormstrip').innerText()).toMatch(/box hull of 120 × 30 m scaled from BGL-1: an assumption/);
+  await expect.poll(() => text()).toMatch(/raos: box-hull-120x30m\.csv/);
   expect(readFileSync(`${bench.folder}/box-hull-120x30m.csv`, 'utf8')).toMatch(/^# Motion RAOs of a box hull.*\n# assumption: The vessel's motion response is that of the box barge/);
 });
 
 test('while it runs its histories grow, and it can be cancelled', async () => {
   try {
     await page.waitForFunction(() => document.querySelectorAll('.stormplots .u-wrap').length >= 2, undefined, { timeout: 150_000 });
-    expect(await page.locator('.stormbar').innerText()).toMatch(/\d+ %.* t = .* s/);
+    await expect.poll(() => page.locator('.stormbar').innerText()).toMatch(/\d+ %.* t = .* s/);
     await bench.shot(page, 'storm-running');
   } finally {
     // else it would keep the later runs waiting
@@ -80,7 +80,7 @@ test('settings are changed in their popovers', async () => {
   await page.getByRole('button', { name: /^Control it within/ }).click();
   await expect.poll(() => value('tensioner')).toMatch(/^\d+ … \d+ kN$/);
   await page.keyboard.press('Escape');
-  expect(await text()).toMatch(/range: \[/);
+  await expect.poll(() => text()).toMatch(/range: \[/);
 });
 
 test('a run goes to its end: histories, boxes, statistics, spectra and envelopes', async () => {
@@ -107,7 +107,7 @@ test('a box chosen in the table is the object that is selected', async () => {
   await page.click('#docktab-boxes');
   await page.locator('.stormtab .linkname', { hasText: 'stinger 2' }).click();
   await page.waitForFunction(() => decodeURI(location.hash) === '#/storm/supports.stinger.boxes[1]');
-  expect(await page.locator('.stormsplit select').inputValue()).toBe('reaction');
+  await expect.poll(() => page.locator('.stormsplit select').inputValue()).toBe('reaction');
 });
 
 test('the spectrum of a history has its variance', async () => {
@@ -120,7 +120,7 @@ test('the spectrum of a history has its variance', async () => {
 });
 
 test('results of the model before a change are marked, and are not when it is undone', async () => {
-  expect(await page.locator('.stormbar .stalebadge').count()).toBe(0);
+  await expect.poll(() => page.locator('.stormbar .stalebadge').count()).toBe(0);
   await type('sea', '[id="f-environment.waves.tp"]', '9');
   await expect.poll(() => page.locator('.stormbar .stalebadge').allInnerTexts()).toEqual([expect.stringMatching(/environment\.waves\.tp 9 s/)]);
   await bench.shot(page, 'storm-stale');
@@ -129,7 +129,7 @@ test('results of the model before a change are marked, and are not when it is un
 });
 
 test('the next run says how long it will take', async () => {
-  expect(await runButton().innerText()).toMatch(/^Run 20 s, about \d+ (s|min)$/);
+  await expect.poll(() => runButton().innerText()).toMatch(/^Run 20 s, about \d+ (s|min)$/);
 });
 
 test('seeds are looked at one by one, and together', async () => {
@@ -156,7 +156,7 @@ test('tensioner modes are compared from the same place', async () => {
   await ended();
   await expect.poll(() => page.locator('[aria-label="Variant shown"] option').count(), { timeout: 20_000 }).toBe(3);
   await page.getByRole('button', { name: 'all variants' }).click();
-  expect(await page.locator('.stormtab thead').innerText()).toMatch(/Off, held by its brake\s+Controlled\s+Constant/);
+  await expect.poll(() => page.locator('.stormtab thead').innerText()).toMatch(/Off, held by its brake\s+Controlled\s+Constant/);
 }, 400_000);
 
 test('the workspace fits on smaller screens and in the dark', async () => {
@@ -165,7 +165,7 @@ test('the workspace fits on smaller screens and in the dark', async () => {
   await page.setViewportSize({ width: 1024, height: 768 });
   await page.evaluate(() => { document.documentElement.dataset.theme = 'dark'; });
   await page.waitForTimeout(1200);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+  await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
   await bench.shot(page, 'storm-dark-1024');
   await page.click('#docktab-boxes');
   await page.waitForTimeout(600);

@@ -35,7 +35,7 @@ test('the table over the seeds is that of the cases', async () => {
   await goTo(page, 'study');
   await page.selectOption('select[aria-label="Study shown"]', id);
   await results().locator('table.study').waitFor();
-  expect(await results().locator('thead').innerText()).toMatch(/mean\s+std\s+min\s+max/);
+  await expect.poll(() => results().locator('thead').innerText()).toMatch(/mean\s+std\s+min\s+max/);
   const [mean, , least, most] = await numbers(/^Largest effective tension/);
   const largest = await Promise.all((await list()).filter((r) => r.parent).map(async (r) => (await (await bench.api(`runs/${r.id}/summary`)).json() as { dynamic: { top_tension: { max: number } } }).dynamic.top_tension.max / 1e3));
   expect(largest.length).toBe(2);
@@ -49,7 +49,7 @@ test('a case of it is a run that can be looked at', async () => {
   await results().getByRole('button', { name: 'Seed 2' }).click();
   await page.waitForSelector('.animation');
   await page.locator('.right .standing', { hasText: /seed 2\b/ }).waitFor();
-  expect(await page.locator('[aria-label="Seed shown"] option:checked').innerText()).toMatch(/seed 2 of 2/);
+  await expect.poll(() => page.locator('[aria-label="Seed shown"] option:checked').innerText()).toMatch(/seed 2 of 2/);
 });
 
 test('modes of the tensioner are compared, with a page to keep', async () => {
@@ -78,7 +78,7 @@ test('a study is removed with its cases', async () => {
     await page.locator('.runacts .sure').getByRole('button', { name: 'Delete', exact: true }).click();
     await expect.poll(async () => (await list()).some((r) => r.id === run.id)).toBe(false);
   }
-  expect(await list()).toEqual([]);
+  await expect.poll(() => list()).toEqual([]);
 });
 
 test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

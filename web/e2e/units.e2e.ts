@@ -13,7 +13,7 @@ test('everything that is shown changes its units by one click, and back', async 
   const results = page.getByLabel('Key results');
   await results.getByText('top tension').waitFor();
   const values = async (): Promise<string> => (await results.locator('.kv').evaluateAll((rows) => rows.map((row) => `${row.querySelector('td')!.textContent} ${row.querySelector('th small')!.textContent}`))).join('\n');
-  expect(await values()).toMatch(/\b250 kN/);
+  await expect.poll(() => values()).toMatch(/\b250 kN/);
   await page.getByRole('button', { name: 'Units: metric' }).click();
   await page.getByRole('button', { name: 'Units: US customary' }).waitFor();
   await results.getByText('top tension').waitFor();
@@ -21,7 +21,7 @@ test('everything that is shown changes its units by one click, and back', async 
   expect(text).toMatch(/\b56.2 kip/); // 250 kN over 4.44822 kN/kip
   expect(text).toMatch(/\b1101 ft/); // lay-back of 335.6 m
   expect(text.replace(/\n/g, ' ')).not.toMatch(metric);
-  expect(await page.locator('.slot').first().innerText()).not.toMatch(/\[m\]|\[kN\]|\[MPa\]/);
+  await expect.poll(() => page.locator('.slot').first().innerText()).not.toMatch(/\[m\]|\[kN\]|\[MPa\]/);
   await bench.shot(page, 'us-units');
   await page.getByRole('button', { name: 'Units: US customary' }).click();
   await page.getByRole('button', { name: 'Units: metric' }).waitFor();
